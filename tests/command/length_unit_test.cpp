@@ -1,5 +1,5 @@
 // Units of length as files spell them.
-#include "volumes/length_unit.hpp"
+#include "volumes/declared_place.hpp"
 
 #include "test.hpp"
 

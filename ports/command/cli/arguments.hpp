@@ -18,7 +18,6 @@
 #include "pictures/srgb.hpp"
 #include "statistics/threshold_rule.hpp"
 #include "streams/stream_reader.hpp"
-#include "streams/wire_kind.hpp"
 #include "surface/components.hpp"
 #include "tuning/cycle_costs.hpp"
 #include "volumes/volume.hpp"

@@ -1,5 +1,4 @@
 // discmc compare: the distance between two surfaces.
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -19,7 +18,6 @@
 #include "meshes/surface_distance.hpp"
 #include "progress.hpp"
 #include "stream_input.hpp"
-#include "thresholds.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {

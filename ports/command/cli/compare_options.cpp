@@ -2,10 +2,11 @@
 #include <memory>
 
 #include "cli/options/input_kind.hpp"
+#include "cli/options/option_checks.hpp"
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
-#include "volumes/other_kinds.hpp"
+#include "volumes/format_list.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {
@@ -20,8 +21,7 @@ ComparedInput input_called(const std::string& name) {
 void check(const CompareArguments& arguments) {
   for (const ComparedInput& input : arguments.inputs)
     if (input.kind == InputKind::volume && arguments.reading.selections.empty())
-      throw CLI::ValidationError(input.name,
-                                 "a volume needs a threshold; give --iso auto, or a number");
+      refuse(input.name, "a volume needs a threshold; give --iso auto, or a number");
 }
 
 }  // namespace

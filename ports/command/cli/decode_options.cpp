@@ -20,8 +20,7 @@ void check(const CLI::App& decode, const StreamArguments& arguments) {
   check_size(arguments.size, arguments.output);
   check_normals(arguments.normals, arguments.output, false);
   if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
-    throw CLI::ValidationError(
-        "--volume", "is used with --normals gradient alone; add that, or leave out --volume");
+    refuse("--volume", "is used with --normals gradient alone; add that, or leave out --volume");
 }
 
 }  // namespace

@@ -1,15 +1,13 @@
 // discmc extract: a volume to a stream or to meshes.
 #include "extract.hpp"
 
-#include <utility>
-
 #include "commands.hpp"
 #include "empty_surface.hpp"
 #include "jobs/processors.hpp"
 #include "mesh_files/file_format.hpp"
 #include "segmentation.hpp"
 #include "text/message.hpp"
-#include "thresholds.hpp"
+#include "volume_input.hpp"
 #include "volumes/byte_source.hpp"
 
 namespace discmc::command {

@@ -1,7 +1,6 @@
 // discmc extract --labels all: a segmentation to meshes, one a label.
 #include <algorithm>
 #include <iomanip>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <optional>

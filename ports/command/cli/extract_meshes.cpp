@@ -1,5 +1,4 @@
 // discmc extract -o FILE.stl: a volume to meshes, one a surface.
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>

@@ -25,24 +25,21 @@ bool is_one_mesh(const std::string& output) {
 
 void check_labels(const ExtractArguments& arguments) {
   if (is_one_mesh(arguments.output))
-    throw CLI::ValidationError(
-        "--labels", "every label becomes a mesh of its own; give -o 'FOLDER/{name}.stl', or a " +
-                        extensions(&FormatTraits::holds_several) + " name, whose file holds all");
+    refuse("--labels", "every label becomes a mesh of its own; give -o 'FOLDER/{name}.stl', or a " +
+                           extensions(&FormatTraits::holds_several) +
+                           " name, whose file holds all");
   if (format_of(arguments.output) == Format::stream)
-    throw CLI::ValidationError("--labels", "a stream holds " +
-                                               std::to_string(StreamHeader::max_surfaces) +
-                                               " surfaces at most; write meshes, or give --label");
+    refuse("--labels", "a stream holds " + std::to_string(StreamHeader::max_surfaces) +
+                           " surfaces at most; write meshes, or give --label");
   const bool is_smooth = arguments.reading.smooth_mm.has_value();
   if (arguments.surface == SurfaceKind::relaxed)
-    throw CLI::ValidationError(
-        "--labels",
-        "cannot be combined with --surface relaxed, as labels would not share their walls; add "
-        "--smooth auto in its place");
+    refuse("--labels",
+           "cannot be combined with --surface relaxed, as labels would not share their walls; add "
+           "--smooth auto in its place");
   if (arguments.normals == Normals::gradient || (arguments.interpolates() && !is_smooth))
-    throw CLI::ValidationError(
-        "--labels",
-        "cannot be combined with --normals gradient, or with --surface interpolated without "
-        "--smooth; leave one out, or add --smooth auto");
+    refuse("--labels",
+           "cannot be combined with --normals gradient, or with --surface interpolated without "
+           "--smooth; leave one out, or add --smooth auto");
 }
 
 void check_selections(const ExtractArguments& arguments) {
@@ -50,111 +47,99 @@ void check_selections(const ExtractArguments& arguments) {
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const std::size_t surfaces = selections.size();
   if (surfaces == 0)
-    throw CLI::ValidationError("--iso",
-                               "no threshold is given; add --iso auto, --iso ISO, --range "
-                               "LOW..HIGH, --label N or --labels all");
+    refuse("--iso",
+           "no threshold is given; add --iso auto, --iso ISO, --range LOW..HIGH, --label N or "
+           "--labels all");
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (is_stream && surfaces > StreamHeader::max_surfaces)
-    throw CLI::ValidationError(
-        "--iso", std::to_string(surfaces) + " surfaces are too many for a stream; give " +
-                     std::to_string(StreamHeader::max_surfaces) + " at most");
+    refuse("--iso", std::to_string(surfaces) + " surfaces are too many for a stream; give " +
+                        std::to_string(StreamHeader::max_surfaces) + " at most");
   if (surfaces > 1 && is_one_mesh(arguments.output))
-    throw CLI::ValidationError("--output",
-                               "every surface becomes a mesh of its own; put {name} in the name, "
-                               "as in -o 'surface-{name}.stl', or give a " +
-                                   extensions(&FormatTraits::holds_several) +
-                                   " name, whose file holds all");
+    refuse("--output",
+           "every surface becomes a mesh of its own; put {name} in the name, as in -o "
+           "'surface-{name}.stl', or give a " +
+               extensions(&FormatTraits::holds_several) + " name, whose file holds all");
   for (const NamedSelection& each : selections)
     if (each.has_upper_end() && arguments.normals == Normals::gradient)
-      throw CLI::ValidationError("--normals",
-                                 "gradient normals need a threshold by --iso, not a range or "
-                                 "label; give --normals surface");
+      refuse("--normals",
+             "gradient normals need a threshold by --iso, not a range or label; give --normals "
+             "surface");
 }
 
 void check_cleaning(const ExtractArguments& arguments) {
   check_closed(arguments.components, arguments.reading.border);
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (arguments.reading.median > 0 && is_stream && arguments.normals == Normals::gradient)
-    throw CLI::ValidationError("--median",
-                               "cannot be combined with --normals gradient in a stream, as the "
-                               "samples are not filtered; leave one out");
+    refuse("--median",
+           "cannot be combined with --normals gradient in a stream, as the samples are not "
+           "filtered; leave one out");
 }
 
 void check_mask(const ExtractArguments& arguments) {
   if (!arguments.reading.mask.empty() && arguments.normals == Normals::gradient)
-    throw CLI::ValidationError(
-        "--mask",
-        "cannot be combined with --normals gradient, as the samples have no gradient at the edge "
-        "of the mask; give --normals surface, or leave one out");
+    refuse("--mask",
+           "cannot be combined with --normals gradient, as the samples have no gradient at the "
+           "edge of the mask; give --normals surface, or leave one out");
 }
 
 void check_smoothing(const ExtractArguments& arguments) {
   if (!arguments.reading.smooth_mm) return;
   if (arguments.reading.selections.size() > 1)
-    throw CLI::ValidationError("--smooth",
-                               "accepts one surface, or --labels; run discmc once per surface");
+    refuse("--smooth", "accepts one surface, or --labels; run discmc once per surface");
   if (arguments.normals == Normals::gradient)
-    throw CLI::ValidationError("--smooth",
-                               "cannot be combined with --normals gradient, as the samples are not "
-                               "smoothed; give --normals surface");
+    refuse("--smooth",
+           "cannot be combined with --normals gradient, as the samples are not smoothed; give "
+           "--normals surface");
   if (arguments.reading.median > 0)
-    throw CLI::ValidationError("--smooth", "cannot be combined with --median; leave one out");
+    refuse("--smooth", "cannot be combined with --median; leave one out");
   if (arguments.surface == SurfaceKind::relaxed)
-    throw CLI::ValidationError("--smooth",
-                               "cannot be combined with --surface relaxed; leave one out");
+    refuse("--smooth", "cannot be combined with --surface relaxed; leave one out");
   if (!arguments.interpolates())
-    throw CLI::ValidationError("--smooth",
-                               "has no effect on merged polygons, whose vertices lie halfway "
-                               "between voxels; write a mesh of triangles, without --surface "
-                               "merged and --no-conforming");
+    refuse("--smooth",
+           "has no effect on merged polygons, whose vertices lie halfway between voxels; write a "
+           "mesh of triangles, without --surface merged and --no-conforming");
 }
 
 void check_bodies(const ExtractArguments& arguments) {
   if (!arguments.lists_bodies) return;
   if (!traits_of(format_of(arguments.output)).holds_measures)
-    throw CLI::ValidationError(
-        "--bodies",
-        "holds measures only in .csv and .json; write one of them, or leave it "
-        "out");
+    refuse("--bodies", "holds measures only in .csv and .json; write one of them, or leave it out");
   if (arguments.reading.border == Border::open)
-    throw CLI::ValidationError(
-        "--border", "an open surface encloses no bodies; leave out --bodies, or --border open");
+    refuse("--border", "an open surface encloses no bodies; leave out --bodies, or --border open");
 }
 
 void check_closing(const ExtractArguments& arguments) {
   if (arguments.reading.close_mm == 0) return;
   if (arguments.reading.selections.size() > 1 || !arguments.labels.empty())
-    throw CLI::ValidationError("--close",
-                               "accepts one surface, as closed labels would overlap; run discmc "
-                               "once per surface");
+    refuse("--close",
+           "accepts one surface, as closed labels would overlap; run discmc once per surface");
   if (arguments.normals == Normals::gradient)
-    throw CLI::ValidationError("--close",
-                               "cannot be combined with --normals gradient, as a closed gap has "
-                               "no samples; give --normals surface");
+    refuse("--close",
+           "cannot be combined with --normals gradient, as a closed gap has no samples; give "
+           "--normals surface");
   if (arguments.reading.median > 0)
-    throw CLI::ValidationError("--close", "cannot be combined with --median; leave one out");
+    refuse("--close", "cannot be combined with --median; leave one out");
   if (arguments.interpolates() && !arguments.reading.smooth_mm)
-    throw CLI::ValidationError("--close",
-                               "a closed gap has no samples to interpolate; leave out --surface "
-                               "interpolated, or add --smooth auto");
+    refuse("--close",
+           "a closed gap has no samples to interpolate; leave out --surface interpolated, or add "
+           "--smooth auto");
 }
 
 void check_surface(const ExtractArguments& arguments) {
   check_surface_kind(arguments.surface, arguments.mesh, arguments.output);
   if (!arguments.interpolates()) return;
   if (arguments.reading.median > 0)
-    throw CLI::ValidationError("--median",
-                               "cannot be combined with --surface interpolated, as the samples are "
-                               "not filtered; leave one out");
+    refuse("--median",
+           "cannot be combined with --surface interpolated, as the samples are not filtered; leave "
+           "one out");
   if (arguments.reading.selects_labels() && !arguments.reading.smooth_mm)
-    throw CLI::ValidationError("--surface",
-                               "labels have no values to interpolate; add --smooth auto");
+    refuse("--surface", "labels have no values to interpolate; add --smooth auto");
 }
 
 void check_output(const std::string& output) {
   const std::string unknown = FilePattern(output).unknown_placeholder();
   if (!unknown.empty())
-    throw CLI::ValidationError(
+    refuse(
         "--output",
         unknown + " is an unknown placeholder; only {name} is supported, the name of the surface");
 }
@@ -162,51 +147,46 @@ void check_output(const std::string& output) {
 void check_wire(const ExtractArguments& arguments) {
   const bool is_of_slices = arguments.wire == Wire::slices;
   if (is_of_slices && format_of(arguments.output) != Format::stream)
-    throw CLI::ValidationError("--wire", "slices are written to a stream; give -o FILE.dmc");
+    refuse("--wire", "slices are written to a stream; give -o FILE.dmc");
   if (is_of_slices && arguments.normals != Normals::none)
-    throw CLI::ValidationError("--wire",
-                               "a stream of slices holds no normals; leave out --normals");
+    refuse("--wire", "a stream of slices holds no normals; leave out --normals");
   if (is_of_slices && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
-    throw CLI::ValidationError(
-        "--wire", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
+    refuse("--wire", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
   if (!is_of_slices && arguments.levels > 0)
-    throw CLI::ValidationError("--levels", "applies to streams of slices; add --wire slices");
+    refuse("--levels", "applies to streams of slices; add --wire slices");
   if (!is_of_slices && arguments.key_slices > 0)
-    throw CLI::ValidationError("--key-slices", "applies to streams of slices; add --wire slices");
+    refuse("--key-slices", "applies to streams of slices; add --wire slices");
 }
 
 // Fractions are of samples that a threshold alone divides.
 void check_levels(const ExtractArguments& arguments) {
   if (arguments.levels == 0) return;
   const VolumeArguments& reading = arguments.reading;
-  const auto refuse = [](const std::string& option) {
-    throw CLI::ValidationError("--levels", "cannot be combined with " + option +
-                                               ", as the surface is then not that of the samples; "
-                                               "leave one out");
+  const auto refuse_with = [](const std::string& option) {
+    refuse("--levels", "cannot be combined with " + option +
+                           ", as the surface is then not that of the samples; leave one out");
   };
-  if (reading.median > 0) refuse("--median");
-  if (reading.close_mm > 0) refuse("--close");
-  if (reading.smooth_mm) refuse("--smooth");
-  if (!reading.mask.empty()) refuse("--mask");
+  if (reading.median > 0) refuse_with("--median");
+  if (reading.close_mm > 0) refuse_with("--close");
+  if (reading.smooth_mm) refuse_with("--smooth");
+  if (!reading.mask.empty()) refuse_with("--mask");
   for (const NamedSelection& each : reading.selections)
-    if (each.has_upper_end()) refuse("--range or --label");
+    if (each.has_upper_end()) refuse_with("--range or --label");
 }
 
 void check_slab(const ExtractArguments& arguments) {
   if (!arguments.slab) return;
   if (format_of(arguments.output) != Format::stream || arguments.wire == Wire::slices)
-    throw CLI::ValidationError(
-        "--slab",
-        "writes a stream of regions for discmc join; give -o FILE.dmc, without --wire slices");
+    refuse("--slab",
+           "writes a stream of regions for discmc join; give -o FILE.dmc, without --wire slices");
   if (arguments.reading.selections.size() > 1)
-    throw CLI::ValidationError("--slab",
-                               "discmc join accepts one surface per stream; give one --iso, "
-                               "--range or --label, and run discmc once per surface");
+    refuse("--slab",
+           "discmc join accepts one surface per stream; give one --iso, --range or --label, and "
+           "run discmc once per surface");
   if (arguments.normals == Normals::gradient)
-    throw CLI::ValidationError(
-        "--slab",
-        "cannot be combined with --normals gradient, as a slab lacks the slices beside it; leave "
-        "out --normals, and give discmc decode --normals gradient --volume FILE");
+    refuse("--slab",
+           "cannot be combined with --normals gradient, as a slab lacks the slices beside it; "
+           "leave out --normals, and give discmc decode --normals gradient --volume FILE");
 }
 
 void check_jobs(const ExtractArguments& arguments, const CLI::Option& surface) {
@@ -216,20 +196,19 @@ void check_jobs(const ExtractArguments& arguments, const CLI::Option& surface) {
     const std::string option = arguments.reading.smooth_mm          ? "--smooth"
                                : arguments.decimation.triangles > 0 ? "--triangles"
                                                                     : "--max-error";
-    throw CLI::ValidationError(
-        "--jobs", "cannot be combined with " + option + ", which interpolates the surface; " +
-                      (arguments.reading.smooth_mm ? "leave out --jobs"
-                                                   : "leave out --jobs, or add --surface merged"));
+    refuse("--jobs",
+           "cannot be combined with " + option + ", which interpolates the surface; " +
+               (arguments.reading.smooth_mm ? "leave out --jobs"
+                                            : "leave out --jobs, or add --surface merged"));
   }
   if (!is_divisible(arguments))
-    throw CLI::ValidationError("--jobs",
-                               "cannot be combined with --memory, --capacities, --labels or "
-                               "--surface interpolated; leave one out");
+    refuse("--jobs",
+           "cannot be combined with --memory, --capacities, --labels or --surface interpolated; "
+           "leave one out");
   if (is_stream && (arguments.wire == Wire::slices || arguments.normals == Normals::gradient))
-    throw CLI::ValidationError(
-        "--jobs",
-        "cannot be combined with --wire slices, where each slice is coded after the one before, or "
-        "with --normals gradient in a stream; leave one out");
+    refuse("--jobs",
+           "cannot be combined with --wire slices, where each slice is coded after the one before, "
+           "or with --normals gradient in a stream; leave one out");
 }
 
 // The vertices of a smoothed or decimated surface follow it, where there is something to follow and
@@ -278,8 +257,7 @@ SlabChoice slab_choice(const std::string& text) {
                          ? std::nullopt
                          : whole_number<std::uint32_t>(text.substr(slash + 1));
   if (!number || !count || *number == 0 || *number > *count)
-    throw CLI::ValidationError(
-        "--slab", "invalid slab '" + text + "'; expected its number and their count, as in 2/7");
+    refuse("--slab", "invalid slab '" + text + "'; expected its number and their count, as in 2/7");
   return {*number, *count};
 }
 

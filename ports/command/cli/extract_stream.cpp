@@ -5,7 +5,6 @@
 #include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>

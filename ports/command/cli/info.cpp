@@ -13,7 +13,6 @@
 #include "stream_input.hpp"
 #include "summary.hpp"
 #include "volume_input.hpp"
-#include "volume_summary.hpp"
 
 namespace discmc::command {
 namespace {

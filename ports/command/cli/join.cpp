@@ -1,6 +1,5 @@
 // discmc join: joins the streams of slabs to the stream of the volume.
 #include <algorithm>
-#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>

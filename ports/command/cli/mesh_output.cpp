@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "mesh_files/file_format.hpp"
-#include "mesh_files/file_mesh.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"
@@ -78,7 +77,7 @@ void note_rounding(const std::string& file, const FileMesh& mesh) {
   if (!origin || suits_floats(mesh, *origin)) return;
   const std::size_t places = count_float_places(mesh, *origin);
   std::string text = "coordinates are rounded to " + short_number(float_step_mm(mesh, *origin)) +
-                     " " + symbol(mesh.unit) + ", as " +
+                     " " + names_of(mesh.unit).symbol + ", as " +
                      std::string(traits_of(format_of(file)).extension) +
                      " files hold 32-bit floats";
   if (places < mesh.vertices_mm.size())

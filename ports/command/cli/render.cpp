@@ -21,7 +21,6 @@
 #include "stream_input.hpp"
 #include "surface/joined_surface.hpp"
 #include "text/message.hpp"
-#include "thresholds.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {

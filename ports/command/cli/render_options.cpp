@@ -8,7 +8,7 @@
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
-#include "volumes/other_kinds.hpp"
+#include "volumes/format_list.hpp"
 
 namespace discmc::command {
 namespace {
@@ -16,12 +16,11 @@ namespace {
 void check_surface(const CLI::App& render, const RenderArguments& arguments) {
   check_tolerance(arguments.surface, render);
   if (arguments.surface == SurfaceKind::merged) return;
-  if (!arguments.labels.empty())
-    throw CLI::ValidationError("--surface", "labels are drawn merged; leave it out");
+  if (!arguments.labels.empty()) refuse("--surface", "labels are drawn merged; leave it out");
   if (arguments.surface == SurfaceKind::interpolated && arguments.reading.median > 0)
-    throw CLI::ValidationError("--median",
-                               "cannot be combined with --surface interpolated, as the samples are "
-                               "not filtered; leave one out");
+    refuse("--median",
+           "cannot be combined with --surface interpolated, as the samples are not filtered; leave "
+           "one out");
 }
 
 void check(const CLI::App& render, const RenderArguments& arguments) {
@@ -31,11 +30,10 @@ void check(const CLI::App& render, const RenderArguments& arguments) {
   else
     check_kind(render, arguments.input, is_volume);
   if (is_volume && arguments.reading.selections.empty() && arguments.labels.empty())
-    throw CLI::ValidationError(arguments.input,
-                               "a volume needs a threshold; give --iso auto, or a number");
+    refuse(arguments.input, "a volume needs a threshold; give --iso auto, or a number");
   check_label_options(arguments.labels, arguments.reading);
   if (arguments.view == std::vector<double>{0, 0, 0})
-    throw CLI::ValidationError("--view", "0,0,0 is not a direction; give another vector");
+    refuse("--view", "0,0,0 is not a direction; give another vector");
   check_closed(arguments.components, arguments.reading.border);
   check_surface(render, arguments);
 }

@@ -4,7 +4,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -18,7 +17,7 @@
 #include "volume_input.hpp"
 #include "volumes/byte_source.hpp"
 #include "volumes/formats/nifti/writer.hpp"
-#include "volumes/volume_filter.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 namespace {

@@ -16,7 +16,7 @@
 #include "streams/slab_ranges.hpp"
 #include "surface/joined_surface.hpp"
 #include "text/message.hpp"
-#include "volumes/other_kinds.hpp"
+#include "volumes/format_list.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {

@@ -6,7 +6,6 @@
 #include <iomanip>
 #include <iostream>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
 #include "files/output_file.hpp"
@@ -40,15 +39,8 @@ std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
 
 // In the words of --space where they fit.
 const char* space_name(Space space) {
-  switch (space) {
-    case Space::scanner:
-      break;
-    case Space::lps:
-      return "lps";
-    case Space::ras:
-      return "ras";
-  }
-  return "scanner";
+  constexpr const char* names[] = {"scanner", "lps", "ras"};
+  return names[static_cast<std::size_t>(space)];
 }
 
 void print_memory(const Extraction& extraction, std::ostream& out) {

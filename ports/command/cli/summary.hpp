@@ -1,19 +1,21 @@
-// What the command prints about a surface: the tables after `extract`, the lines of `info`.
+// What the command prints about a surface or a volume: the tables after `extract`, the lines of
+// `info`.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <discmc/decoder.hpp>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include <discmc/decoder.hpp>
-
 #include "extraction/extraction.hpp"
 #include "meshing.hpp"
 #include "samples/volume_placement.hpp"
+#include "statistics/volume_statistics.hpp"
 #include "surface/counts.hpp"
+#include "volumes/volume.hpp"
 
 namespace discmc::command {
 
@@ -52,5 +54,14 @@ void print_info(const StreamHeader& header, std::uint8_t channel,
                 const std::vector<StreamHeader>& streams, const StreamReport& report,
                 const Counts& counts, const std::optional<VolumePlacement>& placement,
                 std::ostream& out);
+
+/// The header, without the notes: a key and its values per line, for people and programs.
+void print_volume_info(const VolumeInfo& info, std::ostream& out);
+
+/// The values, in the same way: range, mean, percentiles, a histogram, and options for extract. The
+/// histogram has a line for every value if they are few, otherwise for intervals. The first and the
+/// last interval also hold outliers.
+void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
+                             std::ostream& out);
 
 }  // namespace discmc::command

@@ -1,4 +1,3 @@
-#include "thresholds.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -13,7 +13,6 @@
 #include "files/write_failure.hpp"
 #include "progress.hpp"
 #include "text/number_text.hpp"
-#include "thresholds.hpp"
 #include "tuning/firmware_code.hpp"
 #include "tuning/trial.hpp"
 #include "tuning/tuning_report.hpp"

@@ -26,12 +26,10 @@ std::optional<double> frequency(std::string text) {
 void check(const TuneArguments& arguments) {
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   if (selections.empty())
-    throw CLI::ValidationError(
-        "--iso", "no threshold is given; add --iso auto, or the threshold of the device");
+    refuse("--iso", "no threshold is given; add --iso auto, or the threshold of the device");
   const bool sends_slices_alone = arguments.wires == std::vector<Wire>{Wire::slices};
   if (sends_slices_alone && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
-    throw CLI::ValidationError(
-        "--wire", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
+    refuse("--wire", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
 }
 
 void add_device_options(CLI::App& app, TuneArguments& arguments) {

@@ -1,10 +1,8 @@
 // discmc view: a page that shows a volume, a stream or a mesh.
-#include <cstdint>
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "commands.hpp"
@@ -24,7 +22,6 @@
 #include "stream_input.hpp"
 #include "summary.hpp"
 #include "text/message.hpp"
-#include "thresholds.hpp"
 #include "view.hpp"
 #include "volume_input.hpp"
 #include "volumes/formats/nifti/writer.hpp"

@@ -11,7 +11,7 @@
 #include "commands.hpp"
 #include "files/file_pattern.hpp"
 #include "pages/page.hpp"
-#include "volumes/other_kinds.hpp"
+#include "volumes/format_list.hpp"
 
 namespace discmc::command {
 namespace {
@@ -30,11 +30,10 @@ void choose_output(ViewArguments& arguments) {
   if (arguments.serves || !arguments.output.empty()) return;
   arguments.output = page_for(arguments.input);
   if (arguments.output.empty())
-    throw CLI::ValidationError(arguments.input, "gives the page no name; give -o PAGE.html");
+    refuse(arguments.input, "gives the page no name; give -o PAGE.html");
   if (std::filesystem::exists(arguments.output) && !is_page(arguments.output))
-    throw CLI::ValidationError(arguments.output,
-                               "exists, and is no page of discmc view; overwrite it with -o " +
-                                   arguments.output + ", or choose another name");
+    refuse(arguments.output, "exists, and is no page of discmc view; overwrite it with -o " +
+                                 arguments.output + ", or choose another name");
 }
 
 // By the name and the options, if they decide.
@@ -52,8 +51,7 @@ void check_surface_kind(const CLI::App& view, ViewArguments& arguments) {
   check_tolerance(arguments.surface, view);
   if (arguments.surface == SurfaceKind::merged) return;
   if (arguments.kind == InputKind::volume)
-    throw CLI::ValidationError("--surface",
-                               "applies to streams; view the mesh of discmc extract --surface");
+    refuse("--surface", "applies to streams; view the mesh of discmc extract --surface");
   arguments.kind = InputKind::stream;
 }
 
@@ -62,8 +60,7 @@ void check_surface_options(const CLI::App& view, const ViewArguments& arguments)
   if (!arguments.reading.selections.empty() || !arguments.labels.empty()) return;
   for (const CLI::Option* option : view.get_options())
     if (option->count() > 0 && option->get_group() == surface_group)
-      throw CLI::ValidationError(option->get_name(),
-                                 "applies to surfaces; add --iso auto or --labels all");
+      refuse(option->get_name(), "applies to surfaces; add --iso auto or --labels all");
 }
 
 }  // namespace

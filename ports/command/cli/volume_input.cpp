@@ -1,11 +1,9 @@
 #include "volume_input.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "extraction/narrowed_volume.hpp"
@@ -14,7 +12,7 @@
 #include "text/number_text.hpp"
 #include "volumes/byte_source.hpp"
 #include "volumes/filters/filters.hpp"
-#include "volumes/volume_filter.hpp"
+#include "volumes/volume_info.hpp"
 #include "volumes/volume_offset.hpp"
 
 namespace discmc::command {

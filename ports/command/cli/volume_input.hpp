@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
@@ -82,5 +83,11 @@ class MendedVolume {
 /// At the first threshold. progress, mask: have to live as long as the options are in use.
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,
                                      VolumeReader* mask = nullptr);
+
+/// The surfaces that are asked for of the volume, each with its threshold. What a rule finds is
+/// printed. A rule needs a pass over the volume, unless the file states Hounsfield units and the
+/// rule needs no more. Throws where a rule does not fit the values, and as require_second_pass().
+std::vector<NamedSelection> with_thresholds(const std::string& path,
+                                            const VolumeArguments& arguments);
 
 }  // namespace discmc::command

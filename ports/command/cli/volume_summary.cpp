@@ -1,4 +1,3 @@
-#include "volume_summary.hpp"
 
 #include <algorithm>
 #include <cmath>

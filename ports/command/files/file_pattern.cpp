@@ -2,8 +2,6 @@
 
 #include <filesystem>
 #include <stdexcept>
-#include <string_view>
-#include <utility>
 
 #include "output_file.hpp"
 #include "text/words.hpp"

@@ -4,12 +4,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <iostream>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -17,6 +17,50 @@
 
 namespace discmc::command {
 namespace {
+
+// Writes to a descriptor of the system, which std::ofstream cannot be given. What is left in the
+// buffer is written by a flush of the stream only. Seeks if the file can. Errors: the stream turns
+// bad, and errno has the cause.
+class DescriptorBuffer final : public std::streambuf {
+ public:
+  explicit DescriptorBuffer(int descriptor) : descriptor_(descriptor) { empty(); }
+
+ protected:
+  int_type overflow(int_type byte) override {
+    if (sync() != 0) return traits_type::eof();
+    if (traits_type::eq_int_type(byte, traits_type::eof())) return traits_type::not_eof(byte);
+    return sputc(traits_type::to_char_type(byte));
+  }
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    if (count <= epptr() - pptr()) return std::streambuf::xsputn(bytes, count);
+    return sync() == 0 && write_all(bytes, static_cast<std::size_t>(count)) ? count : 0;
+  }
+  int sync() override {
+    const bool is_written = write_all(pbase(), static_cast<std::size_t>(pptr() - pbase()));
+    empty();
+    return is_written ? 0 : -1;
+  }
+  pos_type seekpos(pos_type place, std::ios_base::openmode) override {
+    if (sync() != 0) return pos_type(off_type(-1));
+    return pos_type(lseek(descriptor_, static_cast<off_t>(place), SEEK_SET));
+  }
+
+ private:
+  void empty() { setp(waiting_.data(), waiting_.data() + waiting_.size()); }
+  bool write_all(const char* bytes, std::size_t count) const {
+    while (count > 0) {
+      const ssize_t written = write(descriptor_, bytes, count);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) return false;
+      bytes += written;
+      count -= static_cast<std::size_t>(written);
+    }
+    return true;
+  }
+
+  int descriptor_;
+  std::array<char, 8192> waiting_;
+};
 
 // What a signal that ends the program removes first; nothing when empty.
 char unfinished[4096] = "";
@@ -126,8 +170,8 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   if (descriptor_ < 0)
     throw std::runtime_error(path.string() +
                              ": the file cannot be written; check the folder and its permissions");
-  buffer_.emplace(descriptor_);
-  stream_.rdbuf(&*buffer_);
+  buffer_ = std::make_unique<DescriptorBuffer>(descriptor_);
+  stream_.rdbuf(buffer_.get());
 }
 
 void OutputFile::open_beside(const std::filesystem::file_status& replaced) {

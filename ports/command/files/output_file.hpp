@@ -2,11 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <ostream>
+#include <streambuf>
 #include <string>
-
-#include "descriptor_buffer.hpp"
 
 namespace discmc::command {
 
@@ -47,7 +46,7 @@ class OutputFile {
   std::filesystem::path target_;     // of links; empty in place
   std::filesystem::path temporary_;  // beside it, as long as it is there
   int descriptor_ = -1;
-  std::optional<DescriptorBuffer> buffer_;
+  std::unique_ptr<std::streambuf> buffer_;
   std::ostream stream_{nullptr};
 };
 

@@ -1,10 +1,11 @@
 #include "file_mesh.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <utility>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
-#include "volumes/length_unit.hpp"
+#include "volumes/declared_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -22,6 +23,12 @@ void append(const FileMesh& part, FileMesh& mesh) {
   mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
 }
 
+double min_spacing_mm(const FileMesh& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double spacing : mesh.spacing_mm) least = std::min(least, std::fabs(spacing));
+  return least;
+}
+
 }  // namespace
 
 FileMesh joined(std::vector<FileMesh> parts) {
@@ -35,25 +42,45 @@ FileMesh joined(std::vector<FileMesh> parts) {
 }
 
 void resize(FileMesh& mesh, const MeshSize& size) {
-  const double factor = size.scale / millimetres_in(symbol(size.unit)).value();
+  const double factor = size.scale / millimetres_in(names_of(size.unit).symbol).value();
   for (Point& vertex : mesh.vertices_mm)
     for (double& coordinate : vertex) coordinate *= factor;
   for (double& spacing : mesh.spacing_mm) spacing *= factor;
   mesh.unit = size.unit;
 }
 
-const char* symbol(MeshUnit unit) {
-  switch (unit) {
-    case MeshUnit::millimetre:
-      break;
-    case MeshUnit::micrometre:
-      return "um";
-    case MeshUnit::metre:
-      return "m";
-    case MeshUnit::inch:
-      return "inch";
+const UnitNames& names_of(MeshUnit unit) {
+  constexpr static UnitNames names[] = {{"mm", "millimetres", "millimeter"},
+                                        {"um", "micrometres", "micron"},
+                                        {"m", "metres", "meter"},
+                                        {"inch", "inches", "inch"}};
+  return names[static_cast<std::size_t>(unit)];
+}
+
+double float_step_mm(const FileMesh& mesh, const Point& origin) {
+  double farthest = 0;
+  for (const Point& vertex : mesh.vertices_mm)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      farthest = std::max(farthest, std::fabs(vertex[axis] - origin[axis]));
+  constexpr int digits = std::numeric_limits<float>::digits;
+  return farthest > 0 ? std::ldexp(1, std::ilogb(farthest) + 1 - digits) : 0;
+}
+
+bool suits_floats(const FileMesh& mesh, const Point& origin) {
+  constexpr double steps = 500;  // in a voxel: rounding moves by half a step
+  return steps * float_step_mm(mesh, origin) <= min_spacing_mm(mesh);
+}
+
+std::size_t count_float_places(const FileMesh& mesh, const Point& origin) {
+  std::vector<std::array<float, 3>> places;
+  places.reserve(mesh.vertices_mm.size());
+  for (const Point& vertex : mesh.vertices_mm) {
+    const Point from = difference(vertex, origin);
+    places.push_back(
+        {static_cast<float>(from[0]), static_cast<float>(from[1]), static_cast<float>(from[2])});
   }
-  return "mm";
+  std::sort(places.begin(), places.end());
+  return static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
 }
 
 }  // namespace discmc::command

@@ -40,8 +40,11 @@ struct MeshSize {
 /// Turns millimetres into these. Call it last: what has a length in its name is then in this unit.
 void resize(FileMesh& mesh, const MeshSize& size);
 
-/// "mm", "um", "m" or "inch".
-const char* symbol(MeshUnit unit);
+/// A symbol, the word for several, and the word of 3MF.
+struct UnitNames {
+  const char *symbol, *plural, *word_of_3mf;
+};
+const UnitNames& names_of(MeshUnit unit);
 
 /// The faces of all, in their order, with their polygons and normals; a single mesh as it is.
 /// Limit: all have normals, or none.

@@ -5,28 +5,12 @@
 namespace discmc::command {
 
 void write_mesh(const FileMesh& mesh, Format format, std::ostream& out, unsigned jobs) {
-  switch (format) {
-    case Format::stl:
-      return write_stl(mesh, out, jobs);
-    case Format::ply:
-      return write_ply(mesh, out, jobs);
-    case Format::obj:
-      return write_obj(mesh, out, jobs);
-    case Format::glb:
-      return write_glb({&mesh}, out);
-    case Format::three_mf:
-      return write_3mf({&mesh}, out);
-    case Format::vtp:
-      return write_vtp(mesh, out);
-    case Format::csv:
-      return write_csv({&mesh}, out);
-    case Format::json:
-      return write_json({&mesh}, out);
-    case Format::stream:
-    case Format::jsonl:
-      break;
-  }
-  throw std::invalid_argument("the format holds no meshes");
+  if (format == Format::stl) return write_stl(mesh, out, jobs);
+  if (format == Format::ply) return write_ply(mesh, out, jobs);
+  if (format == Format::obj) return write_obj(mesh, out, jobs);
+  if (format == Format::vtp) return write_vtp(mesh, out);
+  if (!traits_of(format).holds_several) throw std::invalid_argument("the format holds no meshes");
+  write_meshes({&mesh}, format, out);
 }
 
 void write_meshes(const Meshes& meshes, Format format, std::ostream& out) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <numeric>
 #include <optional>

@@ -1,15 +1,86 @@
+#include <archive.h>
+#include <archive_entry.h>
+
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <new>
+#include <ostream>
+#include <stdexcept>
+#include <streambuf>
 #include <string>
 #include <string_view>
 
 #include "mesh_files.hpp"
 #include "text/name_text.hpp"
 #include "writer.hpp"
-#include "zip_file.hpp"
 
 namespace discmc::command {
 namespace {
+
+la_ssize_t write_to_stream(archive*, void* out, const void* bytes, std::size_t count) {
+  auto& stream = *static_cast<std::ostream*>(out);
+  stream.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+  return stream ? static_cast<la_ssize_t>(count) : -1;
+}
+
+void require_ok(int result) {
+  if (result != ARCHIVE_OK) throw std::runtime_error("writing failed");
+}
+
+// What is put into it goes to the entry that was begun last.
+class EntryBuffer : public std::streambuf {
+ public:
+  explicit EntryBuffer(archive* to) : archive_(to) {}
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    return archive_write_data(archive_, bytes, static_cast<std::size_t>(count));
+  }
+
+ private:
+  archive* archive_;
+};
+
+// A ZIP archive, written from its first byte to its last. All that can fail throws
+// std::runtime_error.
+class ZipFile {
+ public:
+  // out: outlives this. largest: no file in the archive has more bytes. Beyond 4 GiB it is of the
+  // extended kind (Zip64), which some readers do not support.
+  ZipFile(std::ostream& out, std::uint64_t largest)
+      : archive_(archive_write_new(), archive_write_free) {
+    if (!archive_) throw std::bad_alloc();
+    require_ok(archive_write_set_format_zip(archive_.get()));
+    if (largest <= 0xFFFFFFFFu)
+      require_ok(archive_write_set_format_option(archive_.get(), "zip", "zip64", nullptr));
+    require_ok(archive_write_set_bytes_in_last_block(archive_.get(), 1));
+    require_ok(archive_write_open(archive_.get(), &out, nullptr, write_to_stream, nullptr));
+  }
+
+  // Adds a file of what write gives to the stream, compressed.
+  template <class Write>
+  void add(const char* name, const Write& write) {
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
+                                                                         archive_entry_free);
+    if (!entry) throw std::bad_alloc();
+    archive_entry_set_pathname(entry.get(), name);
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), 0644);
+    require_ok(archive_write_header(archive_.get(), entry.get()));
+    EntryBuffer buffer(archive_.get());
+    std::ostream stream(&buffer);
+    write(stream);
+    if (!stream) throw std::runtime_error("writing failed");
+    require_ok(archive_write_finish_entry(archive_.get()));
+  }
+
+  // Call last: writes the directory.
+  void finish() { require_ok(archive_write_close(archive_.get())); }
+
+ private:
+  std::unique_ptr<archive, int (*)(archive*)> archive_;
+};
 
 constexpr const char* content_types =
     R"(<?xml version="1.0" encoding="UTF-8"?>
@@ -25,21 +96,6 @@ constexpr const char* relationships =
 <Relationship Target="/3D/3dmodel.model" Id="model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 </Relationships>
 )";
-
-// In the words of the format.
-const char* unit_name(MeshUnit unit) {
-  switch (unit) {
-    case MeshUnit::millimetre:
-      break;
-    case MeshUnit::micrometre:
-      return "micron";
-    case MeshUnit::metre:
-      return "meter";
-    case MeshUnit::inch:
-      return "inch";
-  }
-  return "millimeter";
-}
 
 // #RRGGBB
 std::string hexadecimal(const Srgb& colour) {
@@ -90,7 +146,7 @@ void write_model(const Meshes& meshes, std::ostream& out) {
   writer.text(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<model unit=\"");
-  writer.text(unit_name(meshes.empty() ? MeshUnit::millimetre : meshes[0]->unit));
+  writer.text(names_of(meshes.empty() ? MeshUnit::millimetre : meshes[0]->unit).word_of_3mf);
   writer.text(
       "\" xml:lang=\"en-US\" "
       "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"

@@ -1,32 +1,13 @@
 #include "writer.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "files/write_failure.hpp"
 
 namespace discmc::command {
 
-namespace {
-
-const char* plural(MeshUnit unit) {
-  switch (unit) {
-    case MeshUnit::millimetre:
-      break;
-    case MeshUnit::micrometre:
-      return "micrometres";
-    case MeshUnit::metre:
-      return "metres";
-    case MeshUnit::inch:
-      return "inches";
-  }
-  return "millimetres";
-}
-
-}  // namespace
-
 std::string header_text(const FileMesh& mesh) {
-  std::string text = std::string("discmc, ") + plural(mesh.unit);
+  std::string text = std::string("discmc, ") + names_of(mesh.unit).plural;
   if (mesh.space == Space::lps) text += ", SPACE=LPS";
   if (mesh.space == Space::ras) text += ", SPACE=RAS";
   return text;

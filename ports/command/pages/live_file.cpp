@@ -5,13 +5,11 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <stdexcept>
-#include <string>
 
 #include "text/message.hpp"
 

@@ -1,15 +1,73 @@
 #include "page.hpp"
 
-#include <fstream>
-#include <stdexcept>
-#include <string_view>
+#include <zlib.h>
 
-#include "gzip.hpp"
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <streambuf>
+
+#include "files/write_failure.hpp"
 #include "text/base64.hpp"
 #include "text/name_text.hpp"
 
 namespace discmc::command {
 namespace {
+
+// Takes bytes as the buffer of a stream, and writes them compressed as gzip (RFC 1952) to another
+// one.
+class Gzip : public std::streambuf {
+ public:
+  // out: outlives this.
+  explicit Gzip(std::streambuf& out) : out_(out) {
+    constexpr int window_bits = 15, with_gzip_header = 16, memory_level = 9;
+    if (deflateInit2(&stream_, Z_BEST_COMPRESSION, Z_DEFLATED, window_bits + with_gzip_header,
+                     memory_level, Z_DEFAULT_STRATEGY) != Z_OK)
+      throw std::bad_alloc();
+  }
+  Gzip(const Gzip&) = delete;
+  Gzip& operator=(const Gzip&) = delete;
+  ~Gzip() override { deflateEnd(&stream_); }
+
+  // Call last: writes what is left. Throws std::runtime_error when out did not take everything.
+  void finish() {
+    if (!deflate(Z_FINISH)) throw std::runtime_error(write_failure());
+  }
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    std::streamsize taken = 0;
+    while (taken < count) {
+      const std::streamsize part =
+          std::min<std::streamsize>(count - taken, std::numeric_limits<int>::max());
+      stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes + taken));
+      stream_.avail_in = static_cast<uInt>(part);
+      if (!deflate(Z_NO_FLUSH)) return taken;
+      taken += part;
+    }
+    return taken;
+  }
+
+ private:
+  bool deflate(int flush) {
+    std::array<char, 1 << 16> buffer;
+    do {
+      stream_.next_out = reinterpret_cast<Bytef*>(buffer.data());
+      stream_.avail_out = static_cast<uInt>(buffer.size());
+      ::deflate(&stream_, flush);
+      const auto count = static_cast<std::streamsize>(buffer.size() - stream_.avail_out);
+      has_failed_ = has_failed_ || out_.sputn(buffer.data(), count) != count;
+    } while (stream_.avail_out == 0);
+    return !has_failed_;
+  }
+
+  std::streambuf& out_;
+  z_stream stream_{};
+  bool has_failed_ = false;
+};
 
 // The data is inserted before this script, which reads it.
 constexpr std::string_view scripts = "<script type=\"application/base64\" id=\"module\">";

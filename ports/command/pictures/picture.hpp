@@ -1,7 +1,6 @@
 // A picture of a mesh, without a window or a graphics card.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <ostream>

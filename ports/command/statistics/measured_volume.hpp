@@ -7,7 +7,7 @@
 
 #include "meshing.hpp"
 #include "samples/sample_bounds.hpp"
-#include "volumes/volume_filter.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 

@@ -25,15 +25,8 @@ std::string vector_text(const Nanometres (&along)[3]) {
 }
 
 const char* text(Space space) {
-  switch (space) {
-    case Space::scanner:
-      break;
-    case Space::lps:
-      return "LPS";
-    case Space::ras:
-      return "RAS";
-  }
-  return "scanner space";
+  constexpr const char* names[] = {"scanner space", "LPS", "RAS"};
+  return names[static_cast<std::size_t>(space)];
 }
 
 std::string text(const Placement& placement) {

@@ -1,6 +1,5 @@
 #include "words.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace discmc::command {

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 
-#include "streams/wire_kind.hpp"
-
 namespace discmc::command {
+
+/// What a stream holds.
+enum class Wire { regions, slices };
 
 struct DeviceWork {
   std::uint64_t voxels = 0;  ///< compared with the threshold

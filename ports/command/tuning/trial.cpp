@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <discmc/encoder.hpp>
-#include <discmc/slice_encoder.hpp>
 
 #include "extraction/extractors.hpp"
 #include "require.hpp"

@@ -72,15 +72,8 @@ void print_trials(const std::vector<TriedRow>& rows, Wire wire, const Device& de
 }
 
 const char* name(Core core) {
-  switch (core) {
-    case Core::cortex_m0plus:
-      return "Cortex-M0+";
-    case Core::cortex_m4:
-      break;
-    case Core::cortex_m7:
-      return "Cortex-M7";
-  }
-  return "Cortex-M4";
+  constexpr const char* names[] = {"Cortex-M0+", "Cortex-M4", "Cortex-M7"};
+  return names[static_cast<std::size_t>(core)];
 }
 
 }  // namespace discmc::command

@@ -3,9 +3,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 
-#include <algorithm>
 #include <clocale>
-#include <cstring>
 #include <new>
 #include <utility>
 
@@ -73,7 +71,7 @@ std::optional<std::string> ArchiveSource::next_member() {
       break;
     }
     ++members_;
-    block_bytes_ = 0;
+    set_part(nullptr, 0);
     is_at_end_ = false;
     if (archive_entry_filetype(entry) == AE_IFREG) return name_of(entry, members_);
   }
@@ -81,35 +79,23 @@ std::optional<std::string> ArchiveSource::next_member() {
   return std::nullopt;
 }
 
-bool ArchiveSource::next_block() {
+bool ArchiveSource::next_part() {
   if (is_at_end_ || !damage_.empty()) return false;
   const void* block = nullptr;
+  std::size_t bytes = 0;
   la_int64_t offset = 0;
   int result = ARCHIVE_OK;
   do {  // blocks of no bytes are no end
-    result = archive_read_data_block(archive_.get(), &block, &block_bytes_, &offset);
-  } while (result == ARCHIVE_OK && block_bytes_ == 0);
-  block_ = static_cast<const char*>(block);
+    result = archive_read_data_block(archive_.get(), &block, &bytes, &offset);
+  } while (result == ARCHIVE_OK && bytes == 0);
   is_at_end_ = result == ARCHIVE_EOF;
-  if (result != ARCHIVE_OK) block_bytes_ = 0;
+  set_part(block, result == ARCHIVE_OK ? bytes : 0);
   if (result < ARCHIVE_OK) note_damage();
   return result == ARCHIVE_OK;
 }
 
-std::size_t ArchiveSource::read(void* bytes, std::size_t count) {
-  std::size_t done = 0;
-  while (done < count && (block_bytes_ > 0 || next_block())) {
-    const std::size_t part = std::min(count - done, block_bytes_);
-    std::memcpy(static_cast<char*>(bytes) + done, block_, part);
-    block_ += part;
-    block_bytes_ -= part;
-    done += part;
-  }
-  return done;
-}
-
 void ArchiveSource::check_end() {
-  if (block_bytes_ == 0) next_block();
+  if (left_in_part() == 0) next_part();
 }
 
 void ArchiveSource::note_damage() {

@@ -15,8 +15,8 @@ struct archive;
 
 namespace discmc::command {
 
-/// An archive, whose members are read one after the other.
-class ArchiveSource final : public ByteSource {
+/// An archive, whose members are read one after the other: read() is of the last one.
+class ArchiveSource final : public PartwiseSource {
  public:
   /// Registers the formats and filters with libarchive.
   using Support = void (*)(archive*);
@@ -29,22 +29,18 @@ class ArchiveSource final : public ByteSource {
   /// Goes to the next file and returns its name; nothing at the end or at damage().
   std::optional<std::string> next_member();
 
-  /// Reads from the member.
-  std::size_t read(void* bytes, std::size_t count) override;
   std::uint64_t max_left() const override { return unbounded; }
   void check_end() override;
   std::string damage() const override { return damage_; }
 
  private:
   explicit ArchiveSource(Support support);
-  bool next_block();
+  bool next_part() override;
   void note_damage();
 
   std::unique_ptr<ByteSource> in_;
   std::array<char, 65536> packed_{};
   std::unique_ptr<archive, int (*)(archive*)> archive_;
-  const char* block_ = nullptr;  // of libarchive: what is left of it
-  std::size_t block_bytes_ = 0;
   bool is_at_end_ = false;  // of the member
   std::size_t members_ = 0;
   std::string damage_;

@@ -10,20 +10,13 @@ namespace {
 
 // Four characters encode three bytes; '=' fills the last four of a part. Parts
 // may follow each other.
-class Base64 final : public ByteSource {
+class Base64Bytes final : public PartwiseSource {
  public:
-  explicit Base64(std::unique_ptr<ByteSource> in) : in_(std::move(in)) {}
-
-  std::size_t read(void* bytes, std::size_t count) override {
-    auto* out = static_cast<unsigned char*>(bytes);
-    std::size_t done = 0;
-    while (done < count && (begin_ < end_ || next_four())) out[done++] = three_[begin_++];
-    return done;
-  }
+  explicit Base64Bytes(std::unique_ptr<ByteSource> in) : in_(std::move(in)) {}
 
   std::uint64_t max_left() const override {
     const std::uint64_t text = in_->max_left();
-    const std::uint64_t in_memory = text_end_ - text_begin_ + end_ - begin_;
+    const std::uint64_t in_memory = text_end_ - text_begin_ + left_in_part();
     return text > unbounded - in_memory ? unbounded : text + in_memory;
   }
 
@@ -51,10 +44,9 @@ class Base64 final : public ByteSource {
     return static_cast<unsigned>(digits.find(c));
   }
 
-  bool next_four() {
+  bool next_part() override {
     std::uint32_t bits = 0;
     std::size_t filled = 0;
-    begin_ = end_ = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       const char c = next_character();
       if (c == '<' && i == 0) return false;
@@ -68,7 +60,7 @@ class Base64 final : public ByteSource {
     }
     for (std::size_t i = 0; i < 3; ++i)
       three_[i] = static_cast<unsigned char>(bits >> (16 - 8 * i));
-    end_ = 3 - filled;
+    set_part(three_.data(), 3 - filled);
     return true;
   }
 
@@ -77,15 +69,13 @@ class Base64 final : public ByteSource {
   std::size_t text_begin_ = 0;
   std::size_t text_end_ = 0;
   std::array<unsigned char, 3> three_{};
-  std::size_t begin_ = 0;
-  std::size_t end_ = 0;
   std::string damage_;
 };
 
 }  // namespace
 
 std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in) {
-  return std::make_unique<Base64>(std::move(in));
+  return std::make_unique<Base64Bytes>(std::move(in));
 }
 
 }  // namespace discmc::command

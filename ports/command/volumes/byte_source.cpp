@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <system_error>
@@ -67,6 +68,18 @@ std::uint64_t ByteSource::skip(std::uint64_t count) {
     if (got < wanted) return count - left;
   }
   return count;
+}
+
+std::size_t PartwiseSource::read(void* bytes, std::size_t count) {
+  std::size_t done = 0;
+  while (done < count && (left_ > 0 || next_part())) {
+    const std::size_t taken = std::min(count - done, left_);
+    std::memcpy(static_cast<char*>(bytes) + done, part_, taken);
+    part_ += taken;
+    left_ -= taken;
+    done += taken;
+  }
+  return done;
 }
 
 bool is_read_once(const std::filesystem::path& file) {

@@ -14,6 +14,15 @@
 
 namespace discmc::command {
 
+/// The whole number that bytes store.
+template <class Byte>
+std::uint64_t whole_of(const Byte* bytes, std::size_t count, bool is_big_endian) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    value = value << 8 | static_cast<unsigned char>(bytes[is_big_endian ? i : count - 1 - i]);
+  return value;
+}
+
 class ByteSource {
  public:
   /// For max_left(): no bound is known.
@@ -43,6 +52,27 @@ class ByteSource {
   virtual std::string damage() const { return {}; }
 };
 
+/// A source that makes some of its bytes at a time.
+class PartwiseSource : public ByteSource {
+ public:
+  std::size_t read(void* bytes, std::size_t count) final;
+
+ protected:
+  /// Units: bytes of the part that are still to be read.
+  std::size_t left_in_part() const { return left_; }
+  void set_part(const void* bytes, std::size_t count) {
+    part_ = static_cast<const char*>(bytes);
+    left_ = count;
+  }
+
+ private:
+  /// Makes the next part. Returns false, or a part of no bytes, only at the end or at damage().
+  virtual bool next_part() = 0;
+
+  const char* part_ = nullptr;
+  std::size_t left_ = 0;
+};
+
 /// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
 bool is_read_once(const std::filesystem::path& file);
 
@@ -58,6 +88,9 @@ std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std:
 
 /// The bytes of text in base64, in parts that are each filled up, up to the first '<'.
 std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in);
+
+/// The number that 16 bits of IEEE 754 encode, which C++17 has no type for. It is exact.
+float float_of_half(std::uint16_t half);
 
 /// Floating point of 32 bits in native byte order, from that of 16 bits.
 std::unique_ptr<ByteSource> floats_of_halves(std::unique_ptr<ByteSource> in, bool is_big_endian);

@@ -10,7 +10,6 @@
 #include "header_fields.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
-#include "volume_stream.hpp"
 
 namespace discmc::command {
 namespace {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
-#include "length_unit.hpp"
 #include "text/number_text.hpp"
+#include "text/words.hpp"
 #include "volume_error.hpp"
 
 namespace discmc::command {
@@ -141,6 +142,35 @@ Vector signs_of(const Axes& axes) {
   return {1, 1, hand};
 }
 
+struct Unit {
+  double millimetres;
+  std::initializer_list<std::string_view> names;
+};
+
+// Words have British spelling and are singular here. Micro has two characters in Unicode, one
+// in Latin-1, and an escape in files of ImageJ.
+const Unit length_units[] = {
+    {1000, {"m", "metre"}},
+    {100, {"dm", "decimetre"}},
+    {10, {"cm", "centimetre"}},
+    {1, {"mm", "millimetre"}},
+    {1e-3, {"um", "\u00b5m", "\u03bcm", "\xb5m", "\\u00b5m", "micron", "micrometre"}},
+    {1e-6, {"nm", "nanometre"}},
+    {1e-7, {"\u00c5", "\u212b", "\xc5", "angstrom"}},
+    {1e-9, {"pm", "picometre"}},
+    {25.4, {"in", "inch", "\""}},
+};
+
+// "Micrometers" as "micrometre".
+std::string in_british_singular(std::string_view name) {
+  std::string word = lower(trimmed(name));
+  if (word == "inches") return "inch";
+  if (word.size() > 3 && word.back() == 's') word.pop_back();
+  const std::size_t at = word.size() - std::min<std::size_t>(word.size(), 5);
+  if (word.substr(at) == "meter") word.replace(at, 5, "metre");
+  return word;
+}
+
 }  // namespace
 
 void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
@@ -168,6 +198,14 @@ void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions
   for (Vector& axis : placement.axes_mm)
     for (double& along : axis) along += 0.0;
   if (!(placement == along_coordinates(info.spacing_mm))) info.placement = placement;
+}
+
+std::optional<double> millimetres_in(std::string_view unit) {
+  const std::string name = in_british_singular(unit);
+  for (const Unit& each : length_units)
+    if (std::find(each.names.begin(), each.names.end(), name) != each.names.end())
+      return each.millimetres;
+  return std::nullopt;
 }
 
 }  // namespace discmc::command

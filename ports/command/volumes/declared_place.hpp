@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "volume.hpp"
 
@@ -42,5 +43,9 @@ struct DeclaredPlace {
 /// alone is turned and moved against the placed one, never mirrored. A placement that adds nothing
 /// to the spacing is dropped.
 void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options);
+
+/// Returns how many millimetres a unit has; nothing if the name is that of no length. Symbols,
+/// and words in British or American spelling, one or several, in any case: "um", "Microns".
+std::optional<double> millimetres_in(std::string_view unit);
 
 }  // namespace discmc::command

@@ -1,6 +1,8 @@
 #include "format_list.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 #include <utility>
 
 #include "array_name.hpp"
@@ -197,6 +199,16 @@ bool names_no_axes(const std::filesystem::path& file) {
 
 bool is_volume_head(std::string_view head) {
   return packing_of(head) || format_of_head(head) != nullptr;
+}
+
+bool is_stream_name(const std::filesystem::path& file) {
+  return lower(file.extension().string()) == ".dmc";
+}
+
+bool is_mesh_name(const std::filesystem::path& file) {
+  constexpr std::string_view meshes[] = {".stl", ".ply", ".obj", ".glb", ".gltf", ".3mf", ".vtp"};
+  const std::string extension = lower(file.extension().string());
+  return std::find(std::begin(meshes), std::end(meshes), extension) != std::end(meshes);
 }
 
 }  // namespace discmc::command

@@ -1,4 +1,5 @@
-// The formats of files: their names, their first bytes, and what reads them.
+// The formats of files: their names, their first bytes, and what reads them. Also files that are no
+// volumes, by their names.
 #pragma once
 
 #include <cstddef>
@@ -51,5 +52,12 @@ constexpr std::size_t magic_bytes = 348;
 /// Whether bytes begin like a file of a volume format with a header, or like a packed file. Streams
 /// never do.
 bool is_volume_head(std::string_view head);
+
+bool is_stream_name(const std::filesystem::path& file);
+bool is_mesh_name(const std::filesystem::path& file);
+
+/// The end of an error where a mesh is given to another command.
+constexpr const char* who_takes_meshes =
+    "only discmc compare, render and view read meshes: .stl, .ply, .obj, .glb or .3mf";
 
 }  // namespace discmc::command

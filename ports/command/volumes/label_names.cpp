@@ -1,11 +1,9 @@
 #include "label_names.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
-#include "label_description.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
 

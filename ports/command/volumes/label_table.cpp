@@ -4,12 +4,10 @@
 #include <fstream>
 #include <set>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include "label_description.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"

@@ -1,7 +1,6 @@
 #include "packing.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 #include <utility>
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <string>
@@ -14,26 +13,14 @@
 namespace discmc::command {
 namespace {
 
-class TextSamples final : public ByteSource {
+class TextSamples final : public PartwiseSource {
  public:
   TextSamples(std::unique_ptr<ByteSource> in, SampleType type) : in_(std::move(in)), type_(type) {}
-
-  std::size_t read(void* bytes, std::size_t count) override {
-    auto* out = static_cast<unsigned char*>(bytes);
-    std::size_t done = 0;
-    while (done < count && (begin_ < end_ || next_sample())) {
-      const std::size_t part = std::min(count - done, end_ - begin_);
-      std::memcpy(out + done, sample_.data() + begin_, part);
-      begin_ += part;
-      done += part;
-    }
-    return done;
-  }
 
   // A number takes a character and a blank at least.
   std::uint64_t max_left() const override {
     const std::uint64_t text = in_->max_left();
-    const std::uint64_t in_memory = (text_end_ - text_begin_ + end_ - begin_) + 1;
+    const std::uint64_t in_memory = (text_end_ - text_begin_ + left_in_part()) + 1;
     if (text >= unbounded / sample_.size() - in_memory) return unbounded;
     return (text + in_memory) * sample_.size();
   }
@@ -52,7 +39,7 @@ class TextSamples final : public ByteSource {
 
   static bool is_between(char c) { return c == ',' || trimmed({&c, 1}).empty(); }
 
-  bool next_sample() {
+  bool next_part() override {
     if (!damage_.empty()) return false;
     while (is_between(peek_character())) ++text_begin_;
     constexpr std::size_t longest = 400;  // the digits of the largest double
@@ -62,15 +49,13 @@ class TextSamples final : public ByteSource {
       ++text_begin_;
     }
     if (word_.empty()) return false;
-    begin_ = 0;
-    end_ = sample_bytes(type_);
     const bool is_number = with_sample_type(type_, [this](auto sample) {
       const bool is_read = parse(sample);
       std::memcpy(sample_.data(), &sample, sizeof sample);
       return is_read;
     });
+    set_part(sample_.data(), is_number ? sample_bytes(type_) : 0);
     if (is_number) return true;
-    end_ = 0;
     damage_ = "the text " + shown(word_) + " is not a sample of type " + std::string(name(type_));
     return false;
   }
@@ -93,8 +78,6 @@ class TextSamples final : public ByteSource {
   std::size_t text_begin_ = 0;
   std::size_t text_end_ = 0;
   std::array<unsigned char, 8> sample_{};
-  std::size_t begin_ = 0;
-  std::size_t end_ = 0;
   std::string word_;
   std::string damage_;
 };

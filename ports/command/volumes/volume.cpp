@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <string>
 #include <system_error>
 #include <utility>
 
 #include "array_name.hpp"
 #include "format_list.hpp"
-#include "other_kinds.hpp"
 #include "text/words.hpp"
 #include "unpacked_volume.hpp"
 #include "volumes/filters/filters.hpp"

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "volume_error.hpp"
-
 namespace discmc::command {
 namespace {
 

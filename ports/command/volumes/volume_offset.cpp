@@ -1,7 +1,6 @@
 #include "volume_offset.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace discmc::command {

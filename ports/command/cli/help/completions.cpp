@@ -1,7 +1,5 @@
 #include "outline.hpp"
 
-#include <algorithm>
-
 namespace discmc::command {
 namespace {
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <regex>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>

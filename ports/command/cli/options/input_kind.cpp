@@ -1,8 +1,9 @@
 #include "input_kind.hpp"
 
 #include "mesh_options.hpp"
+#include "option_checks.hpp"
 #include "volume_options.hpp"
-#include "volumes/other_kinds.hpp"
+#include "volumes/format_list.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {
@@ -36,15 +37,14 @@ void check_mesh_input(const CLI::App& app, const std::string& input) {
     return is_for_volumes(each) || is_for_streams(each) || each.get_group() == mesh_group;
   });
   if (option != nullptr)
-    throw CLI::ValidationError(option->get_name(), "applies to volumes and streams, and " + input +
-                                                       " is a mesh; leave it out");
+    refuse(option->get_name(),
+           "applies to volumes and streams, and " + input + " is a mesh; leave it out");
 }
 
 void check_kind(const CLI::App& app, const std::string& input, bool is_volume) {
   const CLI::Option* option = given_option(app, is_volume ? is_for_streams : is_for_volumes);
   if (option != nullptr)
-    throw CLI::ValidationError(option->get_name(),
-                               (is_volume ? "applies to streams, and " + input + " is a volume"
+    refuse(option->get_name(), (is_volume ? "applies to streams, and " + input + " is a volume"
                                           : "applies to volumes, and " + input + " is a stream") +
                                    "; leave it out");
 }

@@ -63,8 +63,8 @@ void add_format_option(CLI::App& app, std::string& format) {
 void take_format(const std::string& format, std::string& output) {
   if (format.empty()) return;
   if (output != "-")
-    throw CLI::ValidationError("--format", "is for standard output; leave it out, as " + output +
-                                               " has an extension, or give -o -");
+    refuse("--format", "is for standard output; leave it out, as " + output +
+                           " has an extension, or give -o -");
   output += (format[0] == '.' ? "" : ".") + format;
 }
 
@@ -107,19 +107,17 @@ void add_component_options(CLI::App& app, ComponentChoice& components) {
 
 void check_components(const ComponentChoice& components, const std::string& output) {
   if (components.keeps_all() || format_of(output) != Format::stream) return;
-  throw CLI::ValidationError(
-      components.largest > 0 ? "--largest"
-      : components.fills     ? "--fill"
-                             : "--min-volume",
-      "a stream is written before its surface is complete; write a mesh, or leave it out");
+  refuse(components.largest > 0 ? "--largest"
+         : components.fills     ? "--fill"
+                                : "--min-volume",
+         "a stream is written before its surface is complete; write a mesh, or leave it out");
 }
 
 void check_closed(const ComponentChoice& components, Border border) {
   if (components.keeps_all() || border == Border::closed) return;
-  throw CLI::ValidationError(
-      "--border",
-      "an open surface encloses no volume; leave out --largest, --min-volume and "
-      "--fill, or --border open");
+  refuse("--border",
+         "an open surface encloses no volume; leave out --largest, --min-volume and --fill, or "
+         "--border open");
 }
 
 void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
@@ -138,12 +136,11 @@ void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
 void check_space(const std::optional<MeshSpace>& space, const std::string& output) {
   const Format format = format_of(output);
   if (!space || (format != Format::stream && format != Format::jsonl)) return;
-  throw CLI::ValidationError(
-      "--space",
-      named(output) +
-          (format == Format::stream ? " is a stream, which stores the placement as a record"
-                                    : " has coordinates in half-steps of voxels") +
-          "; leave it out, or write a mesh");
+  refuse("--space",
+         named(output) +
+             (format == Format::stream ? " is a stream, which stores the placement as a record"
+                                       : " has coordinates in half-steps of voxels") +
+             "; leave it out, or write a mesh");
 }
 
 void add_size_options(CLI::App& app, MeshSize& size) {
@@ -166,11 +163,9 @@ void check_size(const MeshSize& size, const std::string& output) {
   const FormatTraits& traits = traits_of(format_of(output));
   const std::string option = size.scale != 1 ? "--scale" : "--unit";
   if (traits.format == Format::stream || traits.format == Format::jsonl || traits.holds_measures)
-    throw CLI::ValidationError(option, named(output) + " has a fixed unit; write a mesh");
+    refuse(option, named(output) + " has a fixed unit; write a mesh");
   if (traits.format == Format::glb && size.unit != MeshUnit::millimetre)
-    throw CLI::ValidationError("--unit", named(output) +
-                                             " is in metres, as its format requires; leave "
-                                             "out --unit");
+    refuse("--unit", named(output) + " is in metres, as its format requires; leave out --unit");
 }
 
 void add_surface_kind_options(CLI::App& app, SurfaceKind& surface, double& tolerance,
@@ -219,13 +214,11 @@ void check_decimation(const Decimation& decimation, const MeshingOptions& mesh,
   const std::string option = decimation.triangles > 0 ? "--triangles" : "--max-error";
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
-    throw CLI::ValidationError(option, named(output) +
-                                           " holds merged polygons, which are not decimated; write "
-                                           "a mesh");
+    refuse(option, named(output) + " holds merged polygons, which are not decimated; write a mesh");
   if (mesh.faces == Faces::polygons || !mesh.conforming)
-    throw CLI::ValidationError(option,
-                               "only triangles without T-junctions are decimated; leave out "
-                               "--faces polygons and --no-conforming");
+    refuse(option,
+           "only triangles without T-junctions are decimated; leave out --faces polygons and "
+           "--no-conforming");
 }
 
 void check_surface_kind(SurfaceKind surface, const MeshingOptions& mesh,
@@ -234,30 +227,27 @@ void check_surface_kind(SurfaceKind surface, const MeshingOptions& mesh,
   const std::string name = surface == SurfaceKind::interpolated ? "interpolated" : "relaxed";
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
-    throw CLI::ValidationError("--surface", named(output) +
-                                                " has vertices halfway between voxels; leave out "
-                                                "--surface " +
-                                                name + ", or write a mesh");
+    refuse("--surface", named(output) +
+                            " has vertices halfway between voxels; leave out --surface " + name +
+                            ", or write a mesh");
   if (mesh.faces == Faces::polygons)
-    throw CLI::ValidationError("--faces", "polygons of a surface that is " + name +
-                                              " are not flat; leave out --faces polygons");
+    refuse("--faces",
+           "polygons of a surface that is " + name + " are not flat; leave out --faces polygons");
   if (!mesh.conforming)
-    throw CLI::ValidationError("--no-conforming",
-                               "a surface that is " + name + " has no T-junctions; leave it out");
+    refuse("--no-conforming", "a surface that is " + name + " has no T-junctions; leave it out");
 }
 
 void check_tolerance(SurfaceKind surface, const CLI::App& app) {
   if (app.get_option("--tolerance")->count() > 0 && surface == SurfaceKind::merged)
-    throw CLI::ValidationError("--tolerance",
-                               "applies to interpolated and relaxed surfaces; add --surface "
-                               "interpolated or --surface relaxed");
+    refuse("--tolerance",
+           "applies to interpolated and relaxed surfaces; add --surface interpolated or --surface "
+           "relaxed");
 }
 
 void check_faces(Faces faces, const std::string& output) {
   if (faces == Faces::triangles || traits_of(format_of(output)).holds_polygons) return;
-  throw CLI::ValidationError("--faces", named(output) +
-                                            " cannot hold polygons; leave it out, or give " +
-                                            other_format(output, &FormatTraits::holds_polygons));
+  refuse("--faces", named(output) + " cannot hold polygons; leave it out, or give " +
+                        other_format(output, &FormatTraits::holds_polygons));
 }
 
 void check_normals(Normals normals, const std::string& output, bool has_samples) {
@@ -266,7 +256,7 @@ void check_normals(Normals normals, const std::string& output, bool has_samples)
   if (traits_of(format).holds_normals) return;
   if (format == Format::stream && normals == Normals::gradient && has_samples) return;
   const std::string other = other_format(output, &FormatTraits::holds_normals);
-  throw CLI::ValidationError(
+  refuse(
       "--normals",
       (format != Format::stream ? named(output) + " cannot hold normals; give "
        : has_samples ? "a stream holds only normals of the gradient; give --normals gradient, or "

@@ -17,6 +17,11 @@
 
 namespace discmc::command {
 
+/// Throws CLI::ValidationError.
+[[noreturn]] inline void refuse(const std::string& option, const std::string& reason) {
+  throw CLI::ValidationError(option, reason);
+}
+
 /// A finite number for which the condition holds. wanted: the expected value, for
 /// the message.
 template <class Condition>

@@ -31,13 +31,11 @@ void add_label_options(CLI::App& app, std::string& labels, VolumeArguments& argu
 
 void check_label_options(const std::string& labels, const VolumeArguments& arguments) {
   if (!arguments.label_table.empty() && labels.empty() && !arguments.selects_labels())
-    throw CLI::ValidationError("--label-table",
-                               "names labels, and none is selected; add --label N or --labels all");
+    refuse("--label-table", "names labels, and none is selected; add --label N or --labels all");
   if (!arguments.mask.empty() && !labels.empty() && arguments.median > 0)
-    throw CLI::ValidationError(
-        "--mask",
-        "cannot be combined with --median and --labels, as the filter would grow labels over the "
-        "mask; leave out --median, or give each label by --label");
+    refuse("--mask",
+           "cannot be combined with --median and --labels, as the filter would grow labels over "
+           "the mask; leave out --median, or give each label by --label");
 }
 
 void add_surface_options(CLI::App& app, VolumeArguments& arguments) {

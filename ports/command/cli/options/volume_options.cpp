@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "named_values.hpp"
@@ -140,8 +139,7 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
          "--spacing",
          [&options](const std::vector<double>& spacing) {
            if (spacing.size() == 2)
-             throw CLI::ValidationError("--spacing",
-                                        "2 distances are given; give one for all axes, or X,Y,Z");
+             refuse("--spacing", "2 distances are given; give one for all axes, or X,Y,Z");
            auto& distances = options.spacing_mm.emplace();
            distances.fill(spacing[0]);
            std::copy(spacing.begin(), spacing.end(), distances.begin());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "volumes/volume_error.hpp"
-#include "volumes/volume_filter.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "text/number_text.hpp"
-#include "volumes/volume_filter.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 namespace {

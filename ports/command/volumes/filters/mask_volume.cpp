@@ -1,8 +1,6 @@
 #include "filters.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -10,7 +8,7 @@
 
 #include "volumes/format_list.hpp"
 #include "volumes/volume_error.hpp"
-#include "volumes/volume_filter.hpp"
+#include "volumes/volume_info.hpp"
 #include "volumes/volume_offset.hpp"
 
 namespace discmc::command {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "volumes/volume_filter.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 namespace {

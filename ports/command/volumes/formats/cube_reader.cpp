@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "text/words.hpp"
 #include "volumes/array_layout.hpp"

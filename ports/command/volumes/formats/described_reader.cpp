@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "text/number_text.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_fields.hpp"
-#include "volumes/length_unit.hpp"
 
 namespace discmc::command {
 namespace {

@@ -1,6 +1,5 @@
 // Projects of InVesalius: an archive of tar with the samples and, before or behind them, a property
 // list that describes how they are stored.
-#include <algorithm>
 #include <utility>
 
 #include "volumes/declared_place.hpp"
@@ -9,70 +8,17 @@
 
 #if defined(DISCMC_WITH_PUGIXML) && defined(DISCMC_WITH_LIBARCHIVE)
 #include <archive.h>
-#include <archive_entry.h>
 
 #include <array>
-#include <new>
 #include <pugixml.hpp>
+
+#include "volumes/archive_source.hpp"
 #endif
 
 namespace discmc::command {
 
 #if defined(DISCMC_WITH_PUGIXML) && defined(DISCMC_WITH_LIBARCHIVE)
 namespace {
-
-// A file of the archive, found by its name without the folder.
-class Member final : public ByteSource {
- public:
-  Member(ByteStream stream, std::string_view name)
-      : stream_(std::move(stream)), archive_(archive_read_new()) {
-    if (archive_ == nullptr) throw std::bad_alloc();
-    archive_read_support_format_tar(archive_);
-    bool is_found = archive_read_open(archive_, this, nullptr, give, nullptr) == ARCHIVE_OK;
-    archive_entry* entry = nullptr;
-    do {
-      is_found = is_found && archive_read_next_header(archive_, &entry) == ARCHIVE_OK;
-    } while (is_found && name_of(entry) != name);
-    if (is_found) return;
-    archive_read_free(archive_);
-    fail(stream_.file(), "the archive has no whole file " + std::string(name),
-         "check that this is a project of InVesalius");
-  }
-  Member(const Member&) = delete;
-  Member& operator=(const Member&) = delete;
-  ~Member() override { archive_read_free(archive_); }
-
-  std::size_t read(void* bytes, std::size_t count) override {
-    std::size_t done = 0;
-    while (done < count) {
-      const la_ssize_t got =
-          archive_read_data(archive_, static_cast<char*>(bytes) + done, count - done);
-      if (got <= 0) break;
-      done += static_cast<std::size_t>(got);
-    }
-    return done;
-  }
-
-  std::uint64_t max_left() const override { return unbounded; }
-  std::string damage() const override { return stream_.damage(); }
-
- private:
-  static la_ssize_t give(archive*, void* member, const void** bytes) {
-    auto& self = *static_cast<Member*>(member);
-    *bytes = self.block_.data();
-    return static_cast<la_ssize_t>(self.stream_.read(self.block_.data(), self.block_.size()));
-  }
-
-  static std::string_view name_of(archive_entry* entry) {
-    const char* path = archive_entry_pathname(entry);
-    const std::string_view name = path == nullptr ? "" : path;
-    return name.substr(std::min(name.rfind('/') + 1, name.size()));
-  }
-
-  ByteStream stream_;
-  archive* archive_;
-  std::array<char, 65536> block_;
-};
 
 // What follows a key in a dictionary.
 pugi::xml_node value_of(const std::filesystem::path& file, const pugi::xml_node& dictionary,
@@ -97,9 +43,18 @@ std::array<std::string, 3> three_of(const std::filesystem::path& file,
   return {texts[0], texts[1], texts[2]};
 }
 
-ByteStream member(ByteStream archive, std::string_view name) {
-  const std::filesystem::path file = archive.file();
-  return {file, std::make_unique<Member>(std::move(archive), name)};
+// A file of the archive, found by its name without the folder.
+ByteStream member(ByteStream stream, const std::string& name) {
+  const std::filesystem::path file = stream.file();
+  stream.decode([&](auto in) {
+    auto archive = std::make_unique<ArchiveSource>(
+        std::move(in), [](auto* reader) { archive_read_support_format_tar(reader); });
+    while (const auto found = archive->next_member())
+      if (std::filesystem::path(*found).filename() == name) return archive;
+    fail(file, "the archive has no whole file " + name,
+         "check that this is a project of InVesalius");
+  });
+  return stream;
 }
 
 }  // namespace

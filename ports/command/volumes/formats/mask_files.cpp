@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -12,7 +11,7 @@
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/packing.hpp"
 #include "volumes/volume_error.hpp"
-#include "volumes/volume_filter.hpp"
+#include "volumes/volume_info.hpp"
 #include "volumes/volume_offset.hpp"
 
 namespace discmc::command {

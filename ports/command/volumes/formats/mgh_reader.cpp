@@ -13,21 +13,15 @@ namespace {
 constexpr std::size_t header_bytes = 284;
 
 SampleType sample_type(const std::filesystem::path& file, std::int32_t type) {
-  switch (type) {
-    case 0:
-      return SampleType::u8;
-    case 1:
-      return SampleType::i32;
-    case 3:
-      return SampleType::f32;
-    case 4:
-      return SampleType::i16;
-    case 10:
-      return SampleType::u16;
-    default:
-      fail(file, "samples of FreeSurfer's type " + std::to_string(type) + " are not supported",
-           "convert it, e.g. with: mri_convert -odt float " + file.string() + " OUT.nii.gz");
-  }
+  constexpr std::pair<std::int32_t, SampleType> types[] = {{0, SampleType::u8},
+                                                           {1, SampleType::i32},
+                                                           {3, SampleType::f32},
+                                                           {4, SampleType::i16},
+                                                           {10, SampleType::u16}};
+  for (const auto& [number, of_number] : types)
+    if (type == number) return of_number;
+  fail(file, "samples of FreeSurfer's type " + std::to_string(type) + " are not supported",
+       "convert it, e.g. with: mri_convert -odt float " + file.string() + " OUT.nii.gz");
 }
 
 // Without directions, FreeSurfer assumes coronal slices of 1 mm about the origin.

@@ -164,10 +164,7 @@ class Blocks {
            "the array ends before its samples" +
                (stream_.damage().empty() ? "" : ": " + stream_.damage()),
            "copy or export the file again");
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < number_bytes_; ++i)
-      value = value << 8 | bytes[is_big_endian_ ? i : number_bytes_ - 1 - i];
-    return value;
+    return whole_of(bytes, number_bytes_, is_big_endian_);
   }
 
   [[noreturn]] void refuse(std::uint64_t found, std::uint64_t volume) const {

@@ -33,7 +33,8 @@ std::string decode_jpeg2000(const std::vector<std::uint8_t>& bytes, PictureSize 
 std::string decode_rle(const std::vector<std::uint8_t>& bytes, PictureSize size,
                        unsigned char* samples);
 
-/// The fragments of compressed pixel data, and the frame that each belongs to. Lists them once: DCMTK counts from the first fragment each time that one is asked for.
+/// The fragments of compressed pixel data, and the frame that each belongs to. Lists them once:
+/// DCMTK counts from the first fragment each time that one is asked for.
 class DicomFragments {
  public:
   /// Owner of the sequence: the file, which stays open. frames: as the header counts.

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "text/words.hpp"
 #include "volumes/packing.hpp"
@@ -63,10 +61,7 @@ std::optional<Element> element_at(std::string_view bytes) {
   constexpr std::size_t header_bytes = 8;
   if (bytes.size() < header_bytes) return std::nullopt;
   const auto number = [bytes](std::size_t at, std::size_t count) {
-    std::uint32_t value = 0;
-    for (std::size_t i = count; i-- > 0;)
-      value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-    return value;
+    return static_cast<std::uint32_t>(whole_of(&bytes[at], count, false));
   };
   const auto is_letter = [bytes](std::size_t at) { return bytes[at] >= 'A' && bytes[at] <= 'Z'; };
   // The kind of value is either two letters before a length of 16 bits, or missing.

@@ -7,6 +7,8 @@
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
 
+#include "volumes/byte_source.hpp"
+
 namespace discmc::command {
 
 DicomFragments::DicomFragments(DcmPixelSequence& sequence, std::uint32_t frames) {
@@ -33,8 +35,7 @@ void DicomFragments::set_starts_by_table(std::uint32_t frames) {
     offsets.push_back(offsets.back() + header_bytes + items_[i]->getLength());
   std::vector<std::size_t> starts;
   for (const std::uint8_t* at = table; at < table + entry_bytes * frames; at += entry_bytes) {
-    std::uint32_t offset = 0;
-    for (std::size_t i = entry_bytes; i-- > 0;) offset = offset << 8 | at[i];
+    const std::uint64_t offset = whole_of(at, entry_bytes, false);
     const auto place = std::lower_bound(offsets.begin(), offsets.end(), offset);
     if (place == offsets.end() || *place != offset) return;
     starts.push_back(1 + static_cast<std::size_t>(place - offsets.begin()));

@@ -1,5 +1,5 @@
 // The places and values of frames that one file describes as a whole: doses, nuclear medicine, cone
-// beams, and mosaics of Siemens, the slices of a volume side by side in one picture.
+// beams. Also mosaics of Siemens: the slices of a volume side by side in one picture.
 #pragma once
 
 #include <vector>

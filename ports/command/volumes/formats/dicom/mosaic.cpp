@@ -1,7 +1,6 @@
 #include "frames.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +12,7 @@
 #include "attributes.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
+#include "volumes/byte_source.hpp"
 
 namespace discmc::command {
 namespace {
@@ -35,9 +35,7 @@ class Taker {
   std::optional<std::uint32_t> number() {
     const auto four = bytes(4);
     if (!four) return std::nullopt;
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>((*four)[i]);
-    return value;
+    return static_cast<std::uint32_t>(whole_of(four->data(), four->size(), false));
   }
 
  private:
@@ -78,8 +76,8 @@ std::optional<std::string_view> take_item(Taker& taker, bool is_newer, std::uint
   return item;
 }
 
-// Reads a CSA image header, of the newer kind (SV10) or the older. Any bytes have a content: what is
-// before the first damage.
+// Reads a CSA image header, of the newer kind (SV10) or the older. Any bytes have a content: what
+// is before the first damage.
 CsaHeader read_csa_header(std::string_view bytes) {
   constexpr std::uint32_t max_elements = 1000;
   const bool is_newer = bytes.substr(0, 4) == "SV10";

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string>
 #include <utility>
 
 #include "stack.hpp"
 #include "text/number_text.hpp"
-#include "image.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/volume_error.hpp"

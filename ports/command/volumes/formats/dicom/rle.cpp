@@ -12,9 +12,7 @@ constexpr std::size_t word_bytes = 4;
 constexpr std::size_t header_bytes = 16 * word_bytes;
 
 std::uint32_t word(const std::vector<std::uint8_t>& bytes, std::size_t index) {
-  std::uint32_t value = 0;
-  for (std::size_t i = word_bytes; i-- > 0;) value = value << 8 | bytes[index * word_bytes + i];
-  return value;
+  return static_cast<std::uint32_t>(whole_of(&bytes[index * word_bytes], word_bytes, false));
 }
 
 // Every sample_bytes-th byte of the samples, from `byte` on: those that one segment holds.

@@ -2,20 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <set>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "order.hpp"
 #include "pixels.hpp"
 #include "stack.hpp"
 #include "text/number_text.hpp"
-#include "image.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {

@@ -7,9 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "image.hpp"

@@ -5,11 +5,9 @@
 #include <map>
 #include <set>
 #include <tuple>
-#include <utility>
 
 #include "order.hpp"
 #include "text/number_text.hpp"
-#include "image.hpp"
 
 namespace discmc::command {
 namespace {
@@ -175,8 +173,7 @@ bool have_one_direction(const DicomFrame& a, const DicomFrame& b) {
          dot(a.place->along_column, b.place->along_column) > along;
 }
 
-std::pair<double, double> extent_along(const DicomStack& stack,
-                                       const Vector& normal) {
+std::pair<double, double> extent_along(const DicomStack& stack, const Vector& normal) {
   std::vector<double> along;
   for (const DicomFrame& frame : stack.frames)
     along.push_back(dot(frame.place->position, normal) + 0.0);

@@ -1,7 +1,6 @@
 // DICOM frames that make a volume, found among many, and which volume is meant.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -42,8 +41,7 @@ std::vector<DicomStack> dicom_stacks(const std::vector<DicomFrame>& frames,
 bool have_one_direction(const DicomFrame& a, const DicomFrame& b);
 
 /// Where the first and the last slice lie along a normal. Limit: all frames have places.
-std::pair<double, double> extent_along(const DicomStack& stack,
-                                       const Vector& normal);
+std::pair<double, double> extent_along(const DicomStack& stack, const Vector& normal);
 
 /// For messages: the name of the file, and the number of the frame in it.
 std::string name_of(const DicomFrame& frame);

@@ -1,4 +1,4 @@
-#include "axes.hpp"
+#include "dataset.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -4,8 +4,6 @@
 #include <functional>
 #include <numeric>
 
-#include "handle.hpp"
-#include "links.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {

@@ -1,4 +1,6 @@
-// A dataset of an HDF5 file.
+// The datasets of an HDF5 file, the links to them, and the files that they lie in. Axes are
+// declared by dimension scales, as NetCDF and xarray write them, and labels. NeXus names datasets
+// of the group as axes.
 #pragma once
 
 #include <cstdint>
@@ -66,5 +68,38 @@ class Hdf5Dataset {
   bool is_virtual_ = false;
   std::filesystem::path file_;
 };
+
+struct Hdf5Contents {
+  std::vector<Hdf5Description> datasets;
+  /// Links that lead nowhere, for people: "/entry/data/data_000002 to data_000002.h5".
+  std::vector<std::string> dead_links;
+};
+
+/// Returns the datasets of numbers that have at least two dimensions, each by its first path, those
+/// behind links to other files too.
+Hdf5Contents hdf5_contents(const Hdf5Handle& file);
+
+/// Returns the file that an object is in: another one than was opened where a link leads there.
+std::filesystem::path file_of(const Hdf5Handle& dataset);
+
+/// Returns the name of a missing file that a virtual dataset takes samples from. The library reads
+/// its fill value for them, and reports no error. Patterns of names are not looked at.
+std::optional<std::string> missing_source(const Hdf5Handle& dataset);
+
+struct Hdf5Axis {
+  std::string name;                 ///< empty if it has none
+  std::string unit;                 ///< of the coordinates
+  std::vector<double> coordinates;  ///< one for each place, or none
+};
+
+/// Returns the axes as they are stored.
+std::vector<Hdf5Axis> axes_of(const Hdf5Handle& dataset, std::size_t count);
+
+/// Returns the numbers of an attribute of a dataset or group; none where it has no numbers, or too
+/// many.
+std::vector<double> numbers_of(const Hdf5Handle& object, const char* attribute);
+
+/// Returns the text of an attribute, or nothing.
+std::string text_of(const Hdf5Handle& object, const char* attribute);
 
 }  // namespace discmc::command

@@ -1,4 +1,4 @@
-#include "links.hpp"
+#include "dataset.hpp"
 
 #include <cstdlib>
 #include <set>

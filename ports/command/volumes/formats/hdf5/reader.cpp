@@ -4,9 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "axes.hpp"
 #include "dataset.hpp"
-#include "links.hpp"
 #include "text/words.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"

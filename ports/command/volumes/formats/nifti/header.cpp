@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 
 #include "volumes/header_bytes.hpp"
@@ -95,10 +94,7 @@ NiftiHeader read_nifti_header(ByteStream& stream) {
   const std::string_view peeked = stream.peek(start.size());
   std::copy(peeked.begin(), peeked.end(), start.begin());
   const auto size_as = [&start](bool is_big_endian) {
-    std::uint32_t size = 0;
-    for (std::size_t i = 0; i < start.size(); ++i)
-      size |= std::uint32_t{static_cast<unsigned char>(start[is_big_endian ? 3 - i : i])} << 8 * i;
-    return static_cast<std::int32_t>(size);
+    return static_cast<std::int32_t>(whole_of(start.data(), start.size(), is_big_endian));
   };
   for (const bool is_big_endian : {false, true}) {
     const std::int32_t size = size_as(is_big_endian);

@@ -22,13 +22,6 @@ namespace {
 // first.
 constexpr std::array<std::uint32_t, 3> codes_of_text = {0, 6, 30};
 
-std::uint32_t word_of(const char* bytes, bool is_big_endian) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < sizeof word; ++i)
-    word |= std::uint32_t{static_cast<unsigned char>(bytes[is_big_endian ? 3 - i : i])} << (8 * i);
-  return word;
-}
-
 #ifdef DISCMC_WITH_PUGIXML
 std::optional<Srgb> colour_of(const pugi::xml_node& label) {
   return colour_of_shares({label.attribute("Red").value(), label.attribute("Green").value(),
@@ -69,8 +62,8 @@ void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_en
   while (stream.position() + head_bytes <= end) {
     std::array<char, head_bytes> head{};
     if (stream.read(head.data(), head.size()) < head.size()) return;
-    const std::uint32_t size = word_of(head.data(), is_big_endian);
-    const std::uint32_t code = word_of(head.data() + 4, is_big_endian);
+    const std::uint64_t size = whole_of(head.data(), 4, is_big_endian);
+    const std::uint64_t code = whole_of(head.data() + 4, 4, is_big_endian);
     if (size < head_bytes || size > most || stream.position() + size - head_bytes > end) return;
     std::string content(stream.peek(size - head_bytes));
     if (content.size() < size - head_bytes) return;

@@ -73,17 +73,9 @@ void set_samples(VolumeInfo& info, const std::filesystem::path& file, const Nift
   set_channels(info, file, channels, options.channel, {"red", "green", "blue"});
 }
 
-std::string name_of(NiftiUnit unit) {
-  switch (unit) {
-    case NiftiUnit::metre:
-      return "m";
-    case NiftiUnit::millimetre:
-      return "mm";
-    case NiftiUnit::micrometre:
-      return "um";
-    default:
-      return {};
-  }
+const char* name_of(NiftiUnit unit) {
+  constexpr const char* names[8] = {"", "m", "mm", "um", "", "", "", ""};
+  return names[static_cast<std::size_t>(unit)];
 }
 
 // Rows of a matrix that leads from voxels to space.

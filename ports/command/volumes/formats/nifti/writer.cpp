@@ -1,7 +1,6 @@
 #include "writer.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <vector>
 

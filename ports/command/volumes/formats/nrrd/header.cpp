@@ -1,6 +1,8 @@
 #include "header.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "text/words.hpp"
@@ -19,36 +21,37 @@ std::string field_name(const std::filesystem::path& file, std::string_view text)
   std::string name = lower(trimmed(text));
   for (const auto& [second, first] : second_spellings)
     if (name == second) name = first;
-  if (!one_of(name, {"dimension",
-                     "type",
-                     "sizes",
-                     "spacings",
-                     "space directions",
-                     "space",
-                     "units",
-                     "encoding",
-                     "space units",
-                     "space dimension",
-                     "endian",
-                     "data file",
-                     "line skip",
-                     "byte skip",
-                     "space origin",
-                     "kinds",
-                     "axis mins",
-                     "axis maxs",
-                     "labels",
-                     "content",
-                     "number",
-                     "thicknesses",
-                     "measurement frame",
-                     "centerings",
-                     "min",
-                     "max",
-                     "sample units",
-                     "old min",
-                     "old max",
-                     "block size"}))
+  constexpr std::string_view known[] = {"dimension",
+                                        "type",
+                                        "sizes",
+                                        "spacings",
+                                        "space directions",
+                                        "space",
+                                        "units",
+                                        "encoding",
+                                        "space units",
+                                        "space dimension",
+                                        "endian",
+                                        "data file",
+                                        "line skip",
+                                        "byte skip",
+                                        "space origin",
+                                        "kinds",
+                                        "axis mins",
+                                        "axis maxs",
+                                        "labels",
+                                        "content",
+                                        "number",
+                                        "thicknesses",
+                                        "measurement frame",
+                                        "centerings",
+                                        "min",
+                                        "max",
+                                        "sample units",
+                                        "old min",
+                                        "old max",
+                                        "block size"};
+  if (std::find(std::begin(known), std::end(known), name) == std::end(known))
     fail(file, "the header field " + shown(name) + " is unknown", "correct or delete the line");
   return name;
 }

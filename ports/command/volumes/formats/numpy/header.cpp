@@ -24,9 +24,8 @@ std::string read_dictionary(ByteStream& stream) {
   if (start[6] < 1 || start[6] > 3)
     fail(stream.file(), "this is version " + std::to_string(start[6]) + " of the format",
          "save the array as version 1 to 3");
-  std::uint32_t bytes = 0;
-  for (std::size_t i = 0; i < 4; ++i) bytes |= std::uint32_t{length[i]} << 8 * i;
-  constexpr std::uint32_t max_header_bytes = 1U << 20;
+  const std::uint64_t bytes = whole_of(length, sizeof length, false);
+  constexpr std::uint64_t max_header_bytes = 1U << 20;
   if (bytes > max_header_bytes)
     fail(stream.file(), "the header has " + std::to_string(bytes) + " bytes",
          "save one plain array");

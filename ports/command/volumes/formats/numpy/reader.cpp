@@ -1,19 +1,19 @@
 // Arrays of NumPy, .npy: the file does not name its axes.
-#include <archive.h>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "header.hpp"
-#include "volumes/archive_source.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 
 #ifdef DISCMC_WITH_LIBARCHIVE
+#include <archive.h>
 
+#include "volumes/archive_source.hpp"
 #endif
 
 namespace discmc::command {

@@ -7,6 +7,7 @@
 
 #include "picture_file.hpp"
 #include "sample_packing.hpp"
+#include "volumes/byte_source.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {
@@ -52,10 +53,7 @@ class BmpHeader {
  private:
   std::uint32_t field(std::size_t at, std::size_t size) const {
     if (at + size > bytes_.size()) fail(file_, "the BMP file is cut off", remedy);
-    std::uint32_t value = 0;
-    for (std::size_t i = size; i-- > 0;)
-      value = value << 8 | static_cast<unsigned char>(bytes_[at + i]);
-    return value;
+    return static_cast<std::uint32_t>(whole_of(&bytes_[at], size, false));
   }
 
   std::filesystem::path file_;

@@ -7,7 +7,6 @@
 #include <jerror.h>
 
 #include <csetjmp>
-#include <new>
 #include <utility>
 
 #include "picture_file.hpp"

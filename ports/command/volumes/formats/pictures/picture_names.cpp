@@ -1,10 +1,7 @@
 #include "picture_names.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 

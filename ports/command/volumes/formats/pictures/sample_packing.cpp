@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "volumes/half_float.hpp"
+#include "volumes/byte_source.hpp"
 
 namespace discmc::command {
 

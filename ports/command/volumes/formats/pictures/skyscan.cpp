@@ -1,4 +1,4 @@
-#include "skyscan.hpp"
+#include "stack.hpp"
 
 #include <fstream>
 #include <map>

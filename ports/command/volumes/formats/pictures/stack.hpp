@@ -1,8 +1,10 @@
 // The pictures of a volume: which pages of which files, and what these have in common.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "hyperstack.hpp"
@@ -34,5 +36,20 @@ void require_one_stack(const std::filesystem::path& source,
 /// Sets spacing and placement as the files describe them, or SkyScan's log beside them, with notes
 /// of what they leave out.
 void set_place_of(VolumeInfo& info, const Stack& stack, const VolumeOptions& options);
+
+/// Whether the name is that of NRecon's overview, no slice: x_rec_spr.bmp.
+bool is_overview_name(const std::filesystem::path& file);
+
+/// A log of SkyScan's reconstruction program, NRecon.
+struct SkyScanLog {
+  std::filesystem::path file;
+  std::array<double, 3> spacing_mm{};
+  /// Width and height of the slices; 0 if the log lacks them.
+  std::array<std::uint32_t, 2> size{};
+};
+
+/// Returns the log of a stack, by one of its slices: beside it, and called as it begins. Nothing
+/// if there is none with a pixel size.
+std::optional<SkyScanLog> skyscan_log(const std::filesystem::path& slice);
 
 }  // namespace discmc::command

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <string>
 
-#include "skyscan.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_info.hpp"

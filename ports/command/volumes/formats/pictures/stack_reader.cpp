@@ -1,7 +1,6 @@
 // A stack of pictures as a volume: a slice a picture, in the order of their names, or as the file
 // describes its pages.
 #include <algorithm>
-#include <cstddef>
 #include <map>
 #include <string>
 #include <utility>
@@ -9,7 +8,6 @@
 
 #include "picture_file.hpp"
 #include "picture_names.hpp"
-#include "skyscan.hpp"
 #include "stack.hpp"
 #include "volumes/formats/readers.hpp"
 

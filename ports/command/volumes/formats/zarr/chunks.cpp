@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "volumes/half_float.hpp"
+#include "volumes/byte_source.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_stream.hpp"
 
@@ -29,12 +29,6 @@ ChunkBytes read_part(const std::filesystem::path& file, std::istream& in, std::u
   if (in.gcount() != static_cast<std::streamsize>(bytes))
     fail(file, "the chunk cannot be read", "check its permissions, or copy it again");
   return part;
-}
-
-std::uint64_t number_at(const ChunkBytes& bytes, std::size_t offset) {
-  std::uint64_t number = 0;
-  for (std::size_t i = 0; i < 8; ++i) number |= std::uint64_t{bytes[offset + i]} << 8 * i;
-  return number;
 }
 
 void turn(ChunkBytes& bytes, std::size_t size) {
@@ -89,7 +83,7 @@ void ZarrChunks::open_shard(const std::filesystem::path& file) {
               count * sizeof(Place));
   const std::uint64_t begin = is_at_start ? bytes : 0, end = begin + all - bytes;
   for (std::size_t i = 0; i < count; ++i) {
-    const Place place{number_at(index, 16 * i), number_at(index, 16 * i + 8)};
+    const Place place{whole_of(&index[16 * i], 8, false), whole_of(&index[16 * i + 8], 8, false)};
     const bool is_there = place.offset != UINT64_MAX || place.bytes != UINT64_MAX;
     if (is_there && (place.offset < begin || place.bytes > end || place.offset > end - place.bytes))
       fail(file, "a chunk lies outside the shard", "copy it again");

@@ -36,10 +36,8 @@ std::uint32_t crc32c(const ChunkBytes& bytes, std::size_t count) {
 void take_checksum(const std::filesystem::path& chunk, ChunkBytes& bytes) {
   if (bytes.size() < checksum_bytes) fail_damaged(chunk, "it is incomplete");
   const std::size_t count = bytes.size() - checksum_bytes;
-  std::uint32_t expected = 0;
-  for (std::size_t i = 0; i < checksum_bytes; ++i)
-    expected |= std::uint32_t{bytes[count + i]} << 8 * i;
-  if (expected != crc32c(bytes, count)) fail_damaged(chunk, "its checksum is wrong");
+  if (whole_of(&bytes[count], checksum_bytes, false) != crc32c(bytes, count))
+    fail_damaged(chunk, "its checksum is wrong");
   bytes.resize(count);
 }
 

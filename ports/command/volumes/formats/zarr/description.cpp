@@ -1,11 +1,9 @@
 #include "description.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <numeric>
-#include <string_view>
 #include <utility>
 
 #include "volumes/formats/numpy/header.hpp"

@@ -1,4 +1,4 @@
-#include "metadata.hpp"
+#include "description.hpp"
 
 #include <system_error>
 

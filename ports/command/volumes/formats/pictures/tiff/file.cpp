@@ -2,14 +2,12 @@
 #include <tiffio.h>
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 #include <vector>
 
-#include "imagej.hpp"
+#include "descriptions.hpp"
 #include "page.hpp"
 #include "samples.hpp"
-#include "shaped.hpp"
 #include "volumes/formats/pictures/picture_file.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_stream.hpp"

@@ -1,4 +1,4 @@
-#include "imagej.hpp"
+#include "descriptions.hpp"
 
 #include <cmath>
 #include <map>
@@ -6,8 +6,8 @@
 
 #include "text/number_text.hpp"
 #include "text/words.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/header_fields.hpp"
-#include "volumes/length_unit.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {

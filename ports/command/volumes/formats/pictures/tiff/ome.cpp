@@ -1,12 +1,11 @@
-#include "imagej.hpp"
+#include "descriptions.hpp"
 
+#include "volumes/declared_place.hpp"
 #include "volumes/header_fields.hpp"
-#include "volumes/length_unit.hpp"
 #include "volumes/volume_error.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "shaped.hpp"
+#include "descriptions.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-// The descriptions in TIFF files: what ImageJ writes, and others after it, and OME-XML
+// The descriptions in TIFF files: what ImageJ writes, tifffile and others, and OME-XML
 // (https://docs.openmicroscopy.org/ome-model/), which names the page and file of each slice.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,5 +41,22 @@ bool is_ome(std::string_view description);
 std::vector<Hyperstack> ome_images(const std::filesystem::path& file,
                                    const std::string& description, std::uint64_t samples,
                                    const CountPages& count_pages);
+
+/// An array in pages that begins where tifffile describes it.
+struct ShapedArray {
+  std::string name;                  ///< for people, may be empty
+  std::vector<std::uint64_t> sizes;  ///< of its axes, the slowest first
+  std::string axes;                  ///< a letter for each, such as "TZYX", or none
+};
+
+/// Returns nothing where a description is not of tifffile. The file is for the VolumeError thrown
+/// where discmc was built without what reads it.
+std::optional<ShapedArray> shaped_array(const std::filesystem::path& file,
+                                        const std::string& description);
+
+/// Returns the planes of an array, without runs; nothing where its last axes are not those of the
+/// page. page: the sizes of the last axes, rows and columns among them.
+std::optional<Hyperstack> planes_of(const ShapedArray& array,
+                                    const std::vector<std::uint64_t>& page);
 
 }  // namespace discmc::command

@@ -1,12 +1,10 @@
-#include "plane_spill.hpp"
+#include "spilling_joiner.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <discmc/chain.hpp>
 
 #include "surface/event_words.hpp"
-#include "surface/growing_joiner.hpp"
 
 namespace discmc::command {
 
