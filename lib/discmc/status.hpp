@@ -48,13 +48,11 @@ constexpr const char* to_string(Status status) {
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type: use the default capacities";
     case Status::too_little_memory:
-      return "the memory is null or too small: size it with the ..._bytes() function of the "
-             "object, or with sizes.h; for a decoder of slices call give_memory()";
+      return "the memory is null or too small: size it with ..._bytes() of the object or sizes.h; "
+             "for a slice decoder call give_memory()";
     case Status::bad_sink:
-      return "the sink or output lacks a function, or the sink has not started: set write(), and "
-             "unsent() for checkpoints; start the encoder before the extractor; a max_frame is 0 "
-             "or "
-             "48 to 256";
+      return "the sink or output is incomplete: set write(), and unsent() for checkpoints; start "
+             "the encoder first; max_frame is 0 or 48 to 256";
     case Status::not_started:
       return "start() was not called or failed: check its status; an encoder accepts records after "
              "start() of the extractor";

@@ -158,12 +158,15 @@ def python_strings(text):
 
 
 def titles(text):
-    """Yields (line, title, TITLE) of test cases and their parts."""
+    """Yields (line, title, TITLE) of test cases and their parts, in C++ and JavaScript."""
     literal = r'"((?:[^"\\\n]|\\.)*)"'
     begin = r'\b(?:(?:TEST_CASE|TEST_CASE_TEMPLATE|SUBCASE)\(|TEST_CASE_FIXTURE\(\s*\w+,)\s*'
     for found in re.finditer(f'{begin}({literal}(?:\\s*{literal})*)', text):
         title = ''.join(re.findall(literal, found.group(1)))
         yield text.count('\n', 0, found.start(1)) + 1, title, TITLE
+    for found in re.finditer(r"""\btest\(\s*(['"`])((?:\\.|(?!\1).)*)\1""", text):
+        title = re.sub(r'\$\{[^}]*\}', 'N', found.group(2))
+        yield text.count('\n', 0, found.start(2)) + 1, title, TITLE
 
 
 def prose_of(path, text):
@@ -174,7 +177,7 @@ def prose_of(path, text):
     elif re.search(r'\.(?:[ch]pp|[chS]|m?js|ts|css|ld|ino)$', path):
         yield from code_comments(text)
         yield from titles(text)
-        if not is_test and path.startswith('ports/'):
+        if path.startswith('tests/boards/simulator/') or (not is_test and path.startswith(('lib/', 'ports/'))):
             yield from code_messages(text)
     elif path.endswith('.py') or text.startswith('#!/usr/bin/env python3'):
         yield from hash_comments(text)

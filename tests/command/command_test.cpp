@@ -310,7 +310,7 @@ TEST_CASE_FIXTURE(Workshop,
   CHECK(shell("\"$discmc\" info v.dmc >/dev/full").code == 1);
 }
 
-TEST_CASE_FIXTURE(Workshop, "little memory costs bytes of the stream and never a polygon") {
+TEST_CASE_FIXTURE(Workshop, "less memory makes the stream longer; the surface is unchanged") {
   const BitVolume volume = discmc::reference::random({16, 16, 16}, 128, 2);
   write("v.nrrd", volume);
   done("extract v.nrrd --iso 100 --memory 2M -o whole.dmc");
@@ -472,7 +472,7 @@ TEST_CASE_FIXTURE(Workshop, "a spacing that a stream cannot hold is refused") {
   CHECK(file_names().size() == 1);
 }
 
-TEST_CASE_FIXTURE(Workshop, "more memory than any volume of the size needs is no burden") {
+TEST_CASE_FIXTURE(Workshop, "memory beyond the need of any volume changes nothing") {
   write("v.nrrd", small_ball());
   done("extract v.nrrd --iso 100 -o v.dmc");
   done("extract v.nrrd --iso 100 --memory 100000G -o more.dmc");

@@ -456,7 +456,7 @@ TEST_CASE_FIXTURE(Folder, "sequences that are nested without end are refused") {
   }
 }
 
-TEST_CASE("a folder of DICOM is a mesh by one command") {
+TEST_CASE("one command converts a folder of DICOM to a mesh") {
   const command_tests::Workshop workshop;
   const std::string folder = "'" + (files / "series").string() + "'";
   workshop.done("extract " + folder + " --iso -1000 -o v.stl");

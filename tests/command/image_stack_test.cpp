@@ -241,7 +241,7 @@ TEST_CASE_FIXTURE(Folder, "truncated pictures are refused") {
   }
 }
 
-TEST_CASE("a stack of pictures is a mesh by one command") {
+TEST_CASE("one command converts a stack of pictures to a mesh") {
   const command_tests::Workshop workshop;
   workshop.done("extract '" + (files / "stack/*.png").string() +
                 "' --iso 2000 --spacing 0.5,0.5,2 -o v.stl");

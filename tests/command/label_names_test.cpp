@@ -71,7 +71,7 @@ TEST_CASE("a value of several labels or of none is named by its number") {
   CHECK(names.named(2, 255).name == "mask");
 }
 
-TEST_CASE("labels that are not known, or not alone, are refused") {
+TEST_CASE("unknown and ambiguous labels are refused") {
   check_refused(
       names, "1",
       "label 1 is 'liver' and, in another layer, 'vein, portal'; give a name, or the layer");

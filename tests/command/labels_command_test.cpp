@@ -180,7 +180,7 @@ TEST_CASE_FIXTURE(Workshop, "layers are listed, and refused if one is not enough
   fails("extract share.seg.nrrd --labels all -o w.glb", 1, {"the file holds 2 volumes"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "before Slicer had labels every segment was a layer of its own") {
+TEST_CASE_FIXTURE(Workshop, "an old segmentation without label values has a layer per segment") {
   std::string old = layered();
   for (const char* key : {"Segment0_Layer:=0\n", "Segment1_Layer:=1\n", "Segment0_LabelValue:=1\n",
                           "Segment1_LabelValue:=1\n"})
@@ -435,7 +435,7 @@ TEST_CASE_FIXTURE(LabelVolume,
   CHECK_FALSE(read("9.stl").empty());
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "objects without triangles are in no file that holds several") {
+TEST_CASE_FIXTURE(LabelVolume, "a file of several meshes omits objects without triangles") {
   for (const std::string file : {"all.glb", "all.3mf"}) {
     INFO(file);
     done(extract + "--labels all --min-volume 1 --allow-empty -q -o " + file);

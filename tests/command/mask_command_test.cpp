@@ -95,7 +95,7 @@ TEST_CASE_FIXTURE(Masked, "voxels outside the mask are off for any selection") {
   same("--iso 100 --crop 2..,2..,2.. --shrink 2", "least.raw");
 }
 
-TEST_CASE_FIXTURE(Masked, "a mask is of streams of both kinds, of all surfaces and of pictures") {
+TEST_CASE_FIXTURE(Masked, "a mask applies to streams of both kinds and to pictures") {
   write("least.raw", with_value(0));
   const std::string with_mask = "v.raw --mask m.nrrd --iso 100 ", without = "least.raw --iso 100 ";
   for (const std::string wire : {"regions", "slices"}) {

@@ -209,7 +209,7 @@ TEST_CASE("an output that does not report unsent bytes cannot be saved") {
   CHECK(slices.save(parts) == Status::bad_sink);
 }
 
-TEST_CASE("errors of save() and restore()") {
+TEST_CASE("save() and restore() refuse invalid calls with a status") {
   Store store;
   Encoder encoder;
   Extractor16 extractor;

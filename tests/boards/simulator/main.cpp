@@ -30,7 +30,7 @@ std::int64_t milliseconds(Clock::duration duration) {
 }
 
 void print_skipped(const Options& options, const ReceivedStream& stream) {
-  std::cout << "skipped    " << stream.skipped().size() << " as the stream tells, "
+  std::cout << "skipped    " << stream.skipped().size() << " according to the stream, "
             << overruns(options.scanner, stream) << " of them for lack of room";
   constexpr std::size_t few = 8;
   if (!stream.skipped().empty() && stream.skipped().size() <= few) {
@@ -114,9 +114,9 @@ int simulate(const Options& options) {
 
 int run(int argc, char** argv) {
   CLI::App app{
-      "A scanner for the firmware of examples/scanner.cpp: gives it the rows of a volume over a "
-      "UART, takes its stream from another one, decodes it meanwhile, and tells whether every byte "
-      "is right.",
+      "Simulates a scanner for the firmware of examples/scanner.cpp. Sends the rows of a volume "
+      "over a "
+      "UART, decodes the stream from another UART, and checks every byte.",
       "scanner_simulator"};
   app.footer(
       "Rows count over all slices, from 0. Exit codes: 0 verified, 1 failed, 2 wrong usage.");

@@ -116,7 +116,7 @@ void add_scanner(CLI::App& app, Options& options) {
   ScannerBehaviour& scanner = options.scanner;
   add_microseconds(app, "--pace", scanner.pace, "from row to row, at least; microseconds");
   add_microseconds(app, "--jitter", scanner.jitter, "of the pace, either way; microseconds");
-  add_times(app, "--pause", scanner.pauses, "waits so long before these rows", "Scanner");
+  add_times(app, "--pause", scanner.pauses, "waits this long before these rows", "Scanner");
   add_rows(app, "--drop-row", scanner.dropped, "rows that are not sent");
   add_rows(app, "--damage-row", scanner.damaged, "rows that are sent with a wrong byte");
   app.add_option("--break-off-at", scanner.broken_off_at, "ends the scan before this row")
@@ -133,19 +133,19 @@ void add_scanner(CLI::App& app, Options& options) {
 }
 
 void add_receiver(CLI::App& app, Options& options) {
-  app.add_option("--slow", options.listener.bytes_per_second, "reads so many bytes a second")
+  app.add_option("--slow", options.listener.bytes_per_second, "reads this many bytes per second")
       ->check(CLI::Range(1, 1000000000))
       ->option_text("BYTES")
       ->group("Receiver");
   add_times(app, "--stall", options.listener.stalls,
-            "reads nothing for so long from when the scan is at these rows", "Receiver");
+            "stops reading for this long when the scan is at these rows", "Receiver");
   // A scanner with credit would wait for the device, and the device for the receiver.
   app.add_option_function<std::vector<std::uint32_t>>(
          "--hold-up",
          [&options](const std::vector<std::uint32_t>& given) {
            options.listener.hold_up = HoldUp{given[0], given[1]};
          },
-         "reads nothing from when the scan is at this row until the device has dropped so many "
+         "stops reading when the scan is at this row, until the device has dropped this many "
          "frames")
       ->delimiter(',')
       ->expected(2)

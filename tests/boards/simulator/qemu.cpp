@@ -61,7 +61,7 @@ std::vector<std::string> command(const std::string& firmware, const Qemu::Files&
 Qemu::Qemu(const std::string& firmware, const Files& files) {
   if (!std::filesystem::is_regular_file(firmware))
     throw std::runtime_error(firmware +
-                             ": no such file: ports/boards/README.md tells how to build it");
+                             ": no such file: ports/boards/README.md describes how to build it");
   std::vector<std::string> words = command(firmware, files);
   int failure[2];
   if (pipe2(failure, O_CLOEXEC) != 0) throw std::runtime_error(std::strerror(errno));

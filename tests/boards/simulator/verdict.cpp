@@ -14,8 +14,8 @@ bool was_sent_whole(const ScannerBehaviour& scanner, std::uint32_t row) {
 }
 
 // Rows below `end` of a set that are not among the skipped, as text.
-std::string untold(const std::set<std::uint32_t>& rows, std::uint32_t end,
-                   const ReceivedStream& stream) {
+std::string unmarked(const std::set<std::uint32_t>& rows, std::uint32_t end,
+                     const ReceivedStream& stream) {
   std::string list;
   for (const std::uint32_t row : rows)
     if (row < end && stream.skipped().count(row) == 0) list += " " + std::to_string(row);
@@ -25,15 +25,15 @@ std::string untold(const std::set<std::uint32_t>& rows, std::uint32_t end,
 void check_skipped(const ScannerBehaviour& scanner, std::uint32_t end, const ReceivedStream& stream,
                    std::vector<std::string>& mistakes) {
   const std::string missing =
-      untold(scanner.dropped, end, stream) + untold(scanner.damaged, end, stream);
+      unmarked(scanner.dropped, end, stream) + unmarked(scanner.damaged, end, stream);
   if (!missing.empty())
-    mistakes.push_back("rows that did not arrive and are not told as skipped:" + missing);
+    mistakes.push_back("rows that did not arrive and are not marked as skipped:" + missing);
   const std::size_t lost = overruns(scanner, stream);
   if (scanner.waits_for_credit && lost > 0)
     mistakes.push_back(std::to_string(lost) +
-                       " rows are told as skipped that were sent when there was room");
+                       " rows are marked as skipped although there was room when they were sent");
   if (stream.report().totals.skipped_rows != stream.skipped().size())
-    mistakes.push_back("the stream tells of " + std::to_string(stream.skipped().size()) +
+    mistakes.push_back("the stream marks " + std::to_string(stream.skipped().size()) +
                        " skipped rows and counts " +
                        std::to_string(stream.report().totals.skipped_rows));
 }

@@ -76,13 +76,13 @@ const wrongHeaders = {
   'nowhere.nii': [changed((bytes) => bytes.writeFloatLE(NaN, 108)), /vox_offset is NaN; correct/],
 };
 for (const [name, [bytes, message]] of Object.entries(wrongHeaders))
-  test(`${name} is refused for what its header says`, { timeout: 10000 }, async () => {
+  test(`${name} is refused for its header`, { timeout: 10000 }, async () => {
     const path = join(folder, name);
     writeFileSync(path, bytes);
     await assert.rejects(openVolume(path), message);
   });
 
-test('a volume that is cut off says how much is missing', async () => {
+test('a truncated volume is refused with the number of missing bytes', async () => {
   const path = join(folder, 'cut.nrrd');
   writeFileSync(path, nrrdOf({ dims: [16, 16, 16], spacing: [1, 1, 1], samples: new Int16Array(9) }));
   await assert.rejects(openVolume(path), /ends after 18 bytes/);
@@ -107,7 +107,7 @@ test('the axes of oblique and mirrored volumes are those of the command', async 
   }
 });
 
-test('left, posterior and superior are told as the surface has them, if they are known', async () => {
+test('left, posterior and superior are labelled as in the surface', async () => {
   const oblique = Math.SQRT1_2;
   for (const [space, directions, expected] of [
     ['left-posterior-superior', '(1,0,0) (0,2,0) (0,0,3)', [[1, 0, 0], [0, 1, 0], [0, 0, 1]]],

@@ -87,7 +87,7 @@ test('a stream with fractions is interpolated while it arrives; other shapes can
   await page.context().close();
 });
 
-test('what is lost is told, and what is whole is shown', async () => {
+test('lost packets are reported, and whole regions are shown', async () => {
   const { page, complaints } = await openPage(browser);
   await openFiles(page, stream);
   await page.evaluate(() => {
@@ -110,7 +110,7 @@ test('what is lost is told, and what is whole is shown', async () => {
   assert.equal(await vermilion(page), 0);
   await checkAccess(page);
   await openFiles(page, stream);
-  assert.ok(await page.isHidden('#missing-row'), 'of a whole stream nothing is missing');
+  assert.ok(await page.isHidden('#missing-row'), 'a whole stream has no missing parts');
   assert.deepEqual(complaints, []);
   await page.context().close();
 });
@@ -163,7 +163,7 @@ test('a device on a serial port: shown as it sends, kept, and saved', async () =
   await page.context().close();
 });
 
-test('a link that carries something else: what to check, and the page goes on', async () => {
+test('bytes that are no stream are reported with the baud rate to check', async () => {
   const { page } = await openPage(browser, { script: [fakeSerial, [...Buffer.from('no stream')]] });
   await page.click('#connect');
   await page.keyboard.press('Enter');

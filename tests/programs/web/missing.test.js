@@ -56,7 +56,7 @@ function unitsOf(from, to) {
 
 const undirected = ([from, to]) => [`${from}`, `${to}`].sort().join(' ');
 
-test('of a whole stream nothing is missing', async () => {
+test('a whole stream has no missing parts', async () => {
   for (const options of [[], ['--wire', 'slices'], ['--memory', '4K']]) {
     const { state, lines, slices } = await decoded(framesOf(...options));
     assert.ok(state.isComplete);

@@ -22,7 +22,7 @@ test('at 40 thresholds the polygons are those of the command, ring for ring', as
   }
 });
 
-test('with the noise filter, too', async () => {
+test('with the noise filter the polygons are those of the command', async () => {
   const { module } = await openVolume(file);
   module.extract(400, true);
   assert.equal(await polygonsOf(module),
@@ -111,7 +111,7 @@ test('a scan with little memory is a longer stream of the same polygons', async 
   }
 });
 
-test('of a link with several surfaces the chosen one is shown', async () => {
+test('a link with several surfaces shows the chosen one', async () => {
   for (const wire of ['regions', 'slices']) {
     const path = join(folder, 'several.dmc');
     command('extract', file, '--iso', '200', '--iso', '600', '--scan', '7', '-o', path, '--quiet', '--wire', wire);
@@ -129,7 +129,7 @@ test('of a link with several surfaces the chosen one is shown', async () => {
   }
 });
 
-test('a stream tells which way is up, as its volume does', async () => {
+test('a stream keeps the upward direction of its volume', async () => {
   for (const [space, directions] of [['left-posterior-superior', '(0,0.5,0) (0,0,0.5) (1,0,0)'],
     ['right-anterior-superior', '(0.5,0,0) (0,0.5,0) (0,0,1)'],
     ['left-posterior-superior', '(-0.5,0,0) (0,0,-0.5) (0,-1,0)']]) {
@@ -146,7 +146,7 @@ test('a stream tells which way is up, as its volume does', async () => {
   }
 });
 
-test('of a damaged stream what is missing is told, and what is whole is there', async () => {
+test('the missing parts of a damaged stream are reported, and the whole ones are decoded', async () => {
   for (const wire of ['regions', 'slices']) {
     const path = join(folder, 'damaged.dmc');
     command('extract', file, '--iso', '400', '-o', path, '--quiet', '--wire', wire);

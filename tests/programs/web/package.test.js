@@ -83,7 +83,7 @@ test('a decoder has the mesh so far, and all of it at the end', async () => {
   assert.ok(Math.abs(volumeOfClosed(whole) / volumeOfClosed(mesh) - 1) < 1e-5);
 });
 
-test('of a stream with fractions the meshes are those of the command, also where an axis runs backwards', async () => {
+test('meshes of a stream with fractions are those of the command, also where an axis runs backwards', async () => {
   const file = join(folder, 'turned.nrrd'), stream = join(folder, 'fractions.dmc');
   const [expected, table] = [join(folder, 'expected.stl'), join(folder, 'expected.json')];
   writeFileSync(file, nrrdOf({ ...ball, spacing: [0.5, -0.75, 1.25] }));
@@ -118,7 +118,7 @@ test('the first program of its page prints the ball', () => {
   assert.match(printed, /^\d{4} vertices, \d{4,5} triangles\n$/);
 });
 
-test('it runs in a browser', { skip: !process.env.DISCMC_CHROMIUM }, async (t) => {
+test('the package runs in a browser', { skip: !process.env.DISCMC_CHROMIUM }, async (t) => {
   const { startBrowser } = await import('./browser.js');
   const types = { js: 'text/javascript', wasm: 'application/wasm', html: 'text/html' };
   const server = createServer(({ url }, answer) => {

@@ -82,7 +82,7 @@ test('a drag that is too fast for it ends at its last threshold', async () => {
   await page.context().close();
 });
 
-test('wrong, damaged and huge files are refused, and the page goes on', async () => {
+test('wrong, damaged and huge files are refused, and the page continues', async () => {
   const { page, complaints } = await openPage(browser);
   const stream = join(folder, 'ball.dmc');
   command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
@@ -120,7 +120,7 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   await page.context().close();
 });
 
-test('what is asked of a volume is dropped where a stream is opened meanwhile', async () => {
+test('a threshold given for a volume is dropped when a stream is opened meanwhile', async () => {
   const { page, complaints } = await openPage(browser);
   const stream = join(folder, 'after.dmc');
   command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
@@ -146,7 +146,7 @@ test('what is asked of a volume is dropped where a stream is opened meanwhile', 
   await page.context().close();
 });
 
-test('of a volume and a stream that are opened at once the last is shown and saved', async () => {
+test('if a volume and a stream are opened at once, the last is shown and saved', async () => {
   const { page, complaints } = await openPage(browser);
   const stream = join(folder, 'first.dmc');
   command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
@@ -196,7 +196,7 @@ test('a stream that is wider than can be drawn is refused with what to do', asyn
   await page.context().close();
 });
 
-test('of a stream with several surfaces each can be chosen', async () => {
+test('each surface of a stream with several can be chosen', async () => {
   const { page, complaints } = await openPage(browser);
   const path = join(folder, 'several.dmc');
   command('extract', volume, '--iso', '200', '--iso', '600', '--scan', '7', '-o', path, '--quiet');
@@ -270,7 +270,7 @@ test('axe finds nothing serious: empty, with a volume, in the dark, on a small s
   }
 });
 
-test('every switch of the view works without complaint', async () => {
+test('every switch of the view works and reports no error', async () => {
   const { page, complaints } = await openPage(browser);
   await openFiles(page, volume);
   for (const id of ['edges', 'smooth', 'classic', 'filter', 'cut']) await page.check(`#${id}`);
@@ -361,7 +361,7 @@ test('the slice follows the pointer on the surface, until one is chosen', async 
   await page.context().close();
 });
 
-test('what was measured goes with its surface, and a cut does not follow the pointer', async () => {
+test('a measurement goes with its surface, and a cut does not follow the pointer', async () => {
   const { page } = await openPage(browser);
   await openFiles(page, volume);
   await rested(page);
@@ -396,7 +396,7 @@ test('the planes that are left out face away wherever in the space they lie', ()
   }
 });
 
-test('what faces away is not drawn, and nothing that is seen is missing, from all sides', async () => {
+test('faces that face away are not drawn, and nothing that is seen is missing, from all sides', async () => {
   const { page } = await openPage(browser, { viewport: small });
   await openFiles(page, volume);
   await page.evaluate(() => {
@@ -436,7 +436,7 @@ async function extentOf(page) {
   return { wide: columns.size, high: rows.size };
 }
 
-test('a head stands upright, however its slices lie', async () => {
+test('a head is upright, however its slices lie', async () => {
   const { page } = await openPage(browser, { viewport: small });
   const samples = new Int16Array(12 * 12 * 12).fill(0);
   // A rod along the voxels' x, y or z, which is towards the head by the header.
@@ -475,7 +475,7 @@ test('a page with data inside opens it at once', async () => {
   await page.context().close();
 });
 
-test('a threshold that no voxel reaches is told', async () => {
+test('a threshold that no voxel reaches is reported', async () => {
   const { page } = await openPage(browser);
   await openFiles(page, volume);
   await page.fill('#threshold-number', '99999');

@@ -35,7 +35,7 @@ test('a volume is fetched, and any threshold can be chosen', async (t) => {
   assert.equal(await end(), 0);
 });
 
-test('a threshold of it, and a stream that is a file', async (t) => {
+test('a surface at a threshold and a stream file are served whole', async (t) => {
   for (const words of [[volume, '--iso', '400'], [stream]]) {
     const { address, end } = await served(t, ...words);
     const { page, complaints } = await openPage(browser, { address });
@@ -77,7 +77,7 @@ test('a stream on standard input is shown while it comes; who comes later gets a
   assert.equal(await end(), 0);
 });
 
-test('a named pipe without a writer is waited for; what breaks off is told', async (t) => {
+test('a named pipe is served once it has a writer, and a truncated stream is reported', async (t) => {
   const pipe = join(folder, 'pipe');
   execFileSync('mkfifo', [pipe]);
   const { address, end } = await served(t, pipe);
@@ -146,7 +146,7 @@ test('headers without end are not kept, and others are served meanwhile', async 
   assert.equal(await end(), 0);
 });
 
-test('who is slow to take a volume does not hold up others', async (t) => {
+test('a slow client does not delay others', async (t) => {
   const large = join(folder, 'large.raw'); // more than a socket holds
   writeFileSync(large, Buffer.alloc(256 * 256 * 256));
   const { address, end } = await served(t, large, '--dims', '256,256,256', '--type', 'u8');

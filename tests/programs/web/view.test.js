@@ -31,19 +31,19 @@ async function viewed(...words) {
   return { opened, iso, polygons };
 }
 
-test('the samples of a volume, with all thresholds', async () => {
+test('a page made without a threshold offers all thresholds', async () => {
   const { opened, iso, polygons } = await viewed(volume);
   assert.equal(opened, 'ball.nrrd · 48 × 40 × 36 voxels of 0.5 × 0.75 × 1.25 mm');
   assert.equal(polygons, polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', `${iso}`));
 });
 
-test('one threshold of it', async () => {
+test('a page made with --iso shows that surface', async () => {
   const { opened, polygons } = await viewed(volume, '--iso', '400');
   assert.match(opened, /^ball.nrrd at 400.dmc · 48 × 40 × 36 voxels/);
   assert.equal(polygons, polygonsByCommand(folder, 'extract', '--quiet', volume, '--iso', '400'));
 });
 
-test('a stream', async () => {
+test('a page of a stream shows its polygons', async () => {
   const stream = join(folder, 'ball.dmc');
   command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
   const { opened, polygons } = await viewed(stream);

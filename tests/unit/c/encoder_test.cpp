@@ -157,7 +157,7 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   CHECK(discmc_encoder_stream_bytes(stream.encoder) == encoder.bytes());
 }
 
-TEST_CASE("errors of encoders in C") {
+TEST_CASE("invalid calls of encoders in C return their status") {
   Line line;
   Stream stream(discmc_regions, DISCMC_ENCODER_BYTES, line);
   stream.config.label.channel = DISCMC_MAX_CHANNEL + 1;

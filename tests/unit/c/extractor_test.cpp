@@ -230,7 +230,7 @@ TEST_CASE("reset() in C begins a new scan at any point of the last one") {
   CHECK(log.events == again.events);
 }
 
-TEST_CASE("errors of extractors in C") {
+TEST_CASE("invalid calls of extractors in C return their status") {
   EventLog log;
   const uint8_t samples[width] = {};
   Scan scan(discmc_plain_u8, 20000, log);

@@ -145,7 +145,7 @@ TEST_CASE("a receiver in C accepts memory for slices late and needs none for pol
   CHECK(discmc_receiver_get_info(bare.receiver).is_complete == 1);
 }
 
-TEST_CASE("errors of receivers in C") {
+TEST_CASE("invalid calls of receivers in C return their status") {
   EventLog log;
   Block memory(discmc_receiver_bytes(nullptr, 0, 0));
   discmc_receiver_config config = {0, {memory.memory().data, memory.memory().bytes}, {}};
@@ -203,7 +203,7 @@ TEST_CASE("a joiner behind a receiver in C delivers the events of a Joiner") {
   }
 }
 
-TEST_CASE("errors of joiners in C") {
+TEST_CASE("invalid calls of joiners in C return their status") {
   EventLog log;
   Block memory(DISCMC_JOINER_BYTES(1));
   discmc_joiner_config config = {

@@ -44,7 +44,7 @@ TEST_CASE("a ring in C passes rows in order and marks lost rows in their place")
   CHECK(block.is_intact());
 }
 
-TEST_CASE("errors of rings in C") {
+TEST_CASE("invalid calls of rings in C return their status") {
   Block block(DISCMC_ROW_RING_BYTES(10, 3));
   discmc_row_ring* ring = nullptr;
   discmc_row_ring_config config = {10, 0, {block.memory().data, block.memory().bytes}};

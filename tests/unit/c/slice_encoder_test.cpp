@@ -229,7 +229,7 @@ TEST_CASE("a suspended slice encoder is not saved") {
   CHECK(part.data == nullptr);
 }
 
-TEST_CASE("errors of slice encoders in C") {
+TEST_CASE("invalid calls of slice encoders in C return their status") {
   Line line;
   Scan scan(discmc_slices_u8, 0, line);
   const discmc_slice_encoder_config good = scan.config;

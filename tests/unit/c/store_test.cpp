@@ -83,7 +83,7 @@ TEST_CASE("the info of a store in C contains the plan of the C++ store") {
   }
 }
 
-TEST_CASE("errors of stores in C") {
+TEST_CASE("invalid calls of stores in C return their status") {
   SimulatedFlash flash(geometry);
   Block memory(DISCMC_STORE_BYTES(64));
   discmc_store_config config = config_of(flash, memory, 1200);

@@ -170,7 +170,7 @@ TEST_CASE("a finished scan of slices is restored as finished and sends its remai
   }
 }
 
-TEST_CASE("errors of save() and restore() of a slice encoder") {
+TEST_CASE("save() and restore() of a slice encoder refuse invalid calls with a status") {
   Store store;
   Memory parts[2];
   SliceEncoder encoder;
