@@ -22,7 +22,7 @@ SlicePlan read_plan(Input& input) {
   SlicePlan plan;
   plan.key_slice_interval = input.below(5);
   plan.portion = 1 + input.byte();
-  plan.bytes_a_time = input.below(20);
+  plan.bytes_at_once = input.below(20);
   const uint32_t flushing = input.below(216);
   plan.flush_every = flushing % 9;
   plan.surface_count = static_cast<uint8_t>(1 + flushing / 9 % 4);

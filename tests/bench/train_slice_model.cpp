@@ -27,7 +27,7 @@ struct CountingCoder {
     ++(*counts)[static_cast<size_t>(&probability - first)][bit ? 1 : 0];
     return bit;
   }
-  uint32_t number(uint32_t, uint32_t value) { return value; }
+  uint32_t even(uint32_t, uint32_t value) { return value; }
 };
 
 // Encodes rows in their order, as rows of one kind of slice.

@@ -38,8 +38,8 @@ Bytes bytes_of_slice(uint32_t slice) {
 }
 
 // A scan with a record before every slice, and one with nothing in it at the end.
-Bytes regions_with_records(size_t bytes_a_time) {
-  Line line(bytes_a_time);
+Bytes regions_with_records(size_t bytes_at_once) {
+  Line line(bytes_at_once);
   Encoder encoder;
   require_ok(encoder.start({volume.depth}, line.output()));
   Bytes memory(30000);
@@ -65,8 +65,8 @@ Bytes regions_with_records(size_t bytes_a_time) {
   return line.bytes;
 }
 
-Bytes slices_with_records(size_t bytes_a_time) {
-  Line line(bytes_a_time);
+Bytes slices_with_records(size_t bytes_at_once) {
+  Line line(bytes_at_once);
   StartedSliceEncoder encoder(header_of(volume), line.output());
   const uint32_t slice = volume.width * volume.height;
   for (uint32_t z = 0; z < volume.depth; ++z) {
@@ -108,8 +108,8 @@ struct Records {
 }  // namespace
 
 TEST_CASE("records in a stream of regions arrive and change nothing else") {
-  for (const size_t bytes_a_time : {size_t{0}, size_t{1}, size_t{50}}) {
-    const Bytes stream = regions_with_records(bytes_a_time);
+  for (const size_t bytes_at_once : {size_t{0}, size_t{1}, size_t{50}}) {
+    const Bytes stream = regions_with_records(bytes_at_once);
     Records received;
     Decoder decoder;
     require_ok(decoder.start(make_sink(received)));
@@ -122,8 +122,8 @@ TEST_CASE("records in a stream of regions arrive and change nothing else") {
 }
 
 TEST_CASE("records in a stream of slices arrive before the following row") {
-  for (const size_t bytes_a_time : {size_t{0}, size_t{1}, size_t{50}}) {
-    const Bytes stream = slices_with_records(bytes_a_time);
+  for (const size_t bytes_at_once : {size_t{0}, size_t{1}, size_t{50}}) {
+    const Bytes stream = slices_with_records(bytes_at_once);
     const ReceivedRows rows = decode_slices(stream, {volume.width, volume.height, 0});
     CHECK(rows.report.is_complete());
     uint32_t row = 0, records = 0;
@@ -233,9 +233,9 @@ TEST_CASE("a record has at most 200 bytes, and is refused before a start or with
 
 TEST_CASE("a record is refused once the scan has ended, even if the output is busy") {
   const Bytes bytes(3, 7);
-  for (const size_t bytes_a_time : {size_t{0}, size_t{1}}) {
-    CAPTURE(bytes_a_time);
-    Line line(bytes_a_time);
+  for (const size_t bytes_at_once : {size_t{0}, size_t{1}}) {
+    CAPTURE(bytes_at_once);
+    Line line(bytes_at_once);
     Encoder encoder;
     Extractor32 extractor;
     Bytes room(Extractor32::minimum_bytes({1, 1}));
@@ -247,7 +247,7 @@ TEST_CASE("a record is refused once the scan has ended, even if the output is bu
     CHECK(encoder.write_record(record_of(bytes)) == Status::finished);
     CHECK(decode(line.bytes).report.repeated_packets == 0);
 
-    Line other(bytes_a_time);
+    Line other(bytes_at_once);
     SliceEncoder slices;
     Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
     require_ok(

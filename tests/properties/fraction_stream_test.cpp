@@ -45,18 +45,18 @@ template <class Sample>
 void check_all_plans(const SampleVolume<Sample>& volume, int32_t threshold) {
   for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4})
     for (const uint32_t interval : {0U, 1U, 3U})
-      for (const size_t bytes_a_time : std::initializer_list<size_t>{0, 5}) {
-        INFO("levels ", levels, ", interval ", interval, ", bytes_a_time ", bytes_a_time);
+      for (const size_t bytes_at_once : std::initializer_list<size_t>{0, 5}) {
+        INFO("levels ", levels, ", interval ", interval, ", bytes_at_once ", bytes_at_once);
         SlicePlan plan{interval};
-        plan.portion = bytes_a_time > 0 ? 7 : 1000000;
-        plan.bytes_a_time = bytes_a_time;
-        plan.flush_every = bytes_a_time > 0 ? 3 : 0;
+        plan.portion = bytes_at_once > 0 ? 7 : 1000000;
+        plan.bytes_at_once = bytes_at_once;
+        plan.flush_every = bytes_at_once > 0 ? 3 : 0;
         SliceEncoderConfig config = config_of(volume, threshold, levels);
         config.key_slice_interval = interval;
         FractionSliceEncoder<Sample> encoder;
         const Bytes stream = encode_samples(encoder, config, volume.at, plan);
         const ReceivedRows received =
-            decode_slices(stream, volume.size, bytes_a_time, bytes_a_time > 0, 1, levels);
+            decode_slices(stream, volume.size, bytes_at_once, bytes_at_once > 0, 1, levels);
         CHECK(received.report.is_complete());
         CHECK(received.report.rows == volume.size.height * volume.size.depth);
         CHECK(have_fractions(received.rows, volume, threshold, levels));

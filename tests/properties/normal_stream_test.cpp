@@ -14,8 +14,8 @@ namespace {
 
 using Kind = Event::Kind;
 
-Bytes encode_normals(const Events& events, size_t bytes_a_time = 0) {
-  return encode<NormalEncoder>(events, any_header(), bytes_a_time);
+Bytes encode_normals(const Events& events, size_t bytes_at_once = 0) {
+  return encode<NormalEncoder>(events, any_header(), bytes_at_once);
 }
 
 // The same events with normals for the runs, made by `normal_of(number of the run)`.
@@ -97,14 +97,14 @@ TEST_CASE("normals are decoded unchanged for any differences, in whole regions a
   const Events noise = pressed(random({20, 16, 9}, 128, 6));
   for (const Events& events : {balls, noise, long_rings()})
     for (uint32_t spread = 0; spread <= 256; spread = spread * 2 + 1)
-      for (const size_t bytes_a_time : {size_t{0}, size_t{7}}) {
+      for (const size_t bytes_at_once : {size_t{0}, size_t{7}}) {
         uint8_t u = 100, v = 200;
         const Events told = with_normals(events, [&](uint32_t) {
           u = static_cast<uint8_t>(u + chance.below(spread + 1) - spread / 2);
           v = static_cast<uint8_t>(v + chance.below(spread + 1) - spread / 2);
           return u == 0 ? none : OctahedralNormal{u, v};
         });
-        const Received arrival = decode(encode_normals(told, bytes_a_time), 0, bytes_a_time > 0);
+        const Received arrival = decode(encode_normals(told, bytes_at_once), 0, bytes_at_once > 0);
         REQUIRE(arrival.report.damaged_packets == 0);
         REQUIRE(arrival.report.lost_packets == 0);
         REQUIRE(arrival.events == told);

@@ -246,9 +246,9 @@ TEST_CASE("several surfaces of a scan share a link frame by frame, even if the l
   Chance chance(9);
   for (uint32_t i = 0; i < size.width * size.height * size.depth; ++i)
     samples.push_back(chance.byte());
-  for (const size_t bytes_a_time : {size_t{0}, size_t{1}, size_t{7}, size_t{300}}) {
-    CAPTURE(bytes_a_time);
-    Line line(bytes_a_time);
+  for (const size_t bytes_at_once : {size_t{0}, size_t{1}, size_t{7}, size_t{300}}) {
+    CAPTURE(bytes_at_once);
+    Line line(bytes_at_once);
     SharedOutput link;
     Encoder encoders[3];
     Extractor16 extractors[3];

@@ -95,8 +95,8 @@ struct TracingRowReader {
     note(std::to_string(&probability - first), one, bit);
     return bit;
   }
-  uint32_t number(uint32_t bits, uint32_t) {
-    const uint32_t value = reader.number(bits, 0);
+  uint32_t even(uint32_t bits, uint32_t) {
+    const uint32_t value = reader.even(bits, 0);
     while (bits > 0) note("E", 128, (value >> --bits & 1) != 0);
     return value;
   }
@@ -181,7 +181,7 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume and yield 
     surfaces.next_row();
   }
   CHECK(reader.code_bit(surfaces.note(), false));
-  CHECK(reader.number(detail::slices::note_bits, 0) == 0);
+  CHECK(reader.even(detail::slices::note_bits, 0) == 0);
   CHECK(on == volume.on);
   CHECK(trace == words_of_block("slice-decisions"));
 }

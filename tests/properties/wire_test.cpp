@@ -93,9 +93,9 @@ TEST_CASE("the bytes do not depend on the portions that the output accepts") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
-    for (const size_t bytes_a_time : {1U, 2U, 7U, 100U, 1000U}) {
-      CAPTURE(bytes_a_time);
-      CHECK(encode(sample.events, sample.header, bytes_a_time) == stream);
+    for (const size_t bytes_at_once : {1U, 2U, 7U, 100U, 1000U}) {
+      CAPTURE(bytes_at_once);
+      CHECK(encode(sample.events, sample.header, bytes_at_once) == stream);
     }
   }
 }

@@ -43,7 +43,7 @@ const Sample* Downsampler<Sample>::push(const Sample* samples) {
   for (uint32_t left = incoming_.width; left > 0;) {
     const uint32_t count = left < extent_ ? left : extent_;
     uint32_t added = 0;
-    for (uint32_t i = 0; i < count; ++i) added += static_cast<uint32_t>(*samples++ - least);
+    for (uint32_t i = 0; i < count; ++i) added += static_cast<uint32_t>(*samples++ - min_sample);
     *sum++ += added;
     left -= count;
   }
@@ -72,7 +72,8 @@ const Sample* Downsampler<Sample>::next_row(uint32_t slices) {
   const uint32_t area = slices * size_of(block_, incoming_.height);
   for (uint32_t x = 0; x < limits_.width; ++x) {
     const uint32_t count = area * size_of(x, incoming_.width);
-    means_[x] = static_cast<Sample>(static_cast<int32_t>((sums[x] + count / 2) / count) + least);
+    means_[x] =
+        static_cast<Sample>(static_cast<int32_t>((sums[x] + count / 2) / count) + min_sample);
     sums[x] = 0;
   }
   ++block_;

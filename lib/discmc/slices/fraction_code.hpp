@@ -1,4 +1,5 @@
-// Codes or reads the fractions of a row after its voxels. They are in the order of x; those of one
+// Codes or reads the fractions of a row after its voxels. A fraction is where the surface crosses
+// an edge between two voxels, in eighths (fraction.hpp). They are in the order of x; those of one
 // voxel are along x, y and z.
 //
 // A receiver that lacks the slice before a key slice cannot find the edges along z that cross into
@@ -32,7 +33,7 @@ class FractionCode {
     known_ = FractionEntry::all;
     if (has_key_edges_) {
       known_ = FractionEntry::along_x_and_y;
-      key_crosses_ = knows_key_edges_ && (row.crosses & 4) != 0;
+      has_key_fractions_ = knows_key_edges_ && (row.crosses & 4) != 0;
       row_.crosses = row.crosses & 3;
       row_.below = row_.below_behind = off;
       key_below_ = row.below;
@@ -66,7 +67,7 @@ class FractionCode {
   }
 
  private:
-  // As in a cut.
+  // As in the tail of a cut packet (wire.hpp), where 1 to 3 are the edges along x, y and z.
   enum class Part : uint8_t { done = 0, edges = 1, count = 4, key_edges = 5 };
   static constexpr uint32_t eighths = 7;  // the bits of a fraction in an entry
   static constexpr int32_t none = INT32_MIN;
@@ -88,7 +89,7 @@ class FractionCode {
     }
     bit_ = static_cast<uint8_t>(trailing_zeros(voxels_));
     voxels_ &= voxels_ - 1;
-    // Three of each row, then those that equal the voxel.
+    // See alike_.
     uint32_t alike = voxels_of(row_.here) | voxels_of(row_.behind) << 3 |
                      voxels_of(row_.below) << 6 | voxels_of(row_.below_behind) << 9;
     is_on_ = (alike & 2) != 0;
@@ -105,7 +106,7 @@ class FractionCode {
   void begin_key_edges() {
     part_ = Part::count;
     has_key_edges_ = false;
-    row_.crosses = key_crosses_ ? 4 : 0;
+    row_.crosses = has_key_fractions_ ? 4 : 0;
     row_.below = key_below_;
     count_ = 0;
     for (uint32_t word = 0; word < row_.words; ++word)
@@ -143,8 +144,9 @@ class FractionCode {
     pass_edge();
   }
 
-  // The crossing of a parallel edge of the same cell. lower, upper: its ends, as bits of alike_.
-  // Units: eighths from the lower end; or none.
+  // The crossing of a parallel edge of the same cell. lower, upper: its ends, as bits of alike_. If
+  // both ends are alike, half an edge beyond the end where it would cross. Units: eighths from the
+  // lower end; or none.
   int32_t beside(uint32_t lower, uint32_t upper, uint32_t fraction) const {
     const bool is_alike = (alike_ >> upper & 1) != 0;
     if (((alike_ >> lower ^ alike_ >> upper) & 1) == 0) return is_alike ? -4 : 12;
@@ -225,7 +227,7 @@ class FractionCode {
       return ++left_ < fraction_context::count_widths;
     if (left_ > 0) {
       const uint32_t top = uint32_t{1} << (left_ - 1);
-      left_ = top | coder.number(left_ - 1, count_ & (top - 1));
+      left_ = top | coder.even(left_ - 1, count_ & (top - 1));
     }
     if (left_ > row_.width || (knows_key_edges_ && left_ != count_)) return false;
     part_ = left_ > 0 ? Part::key_edges : Part::done;
@@ -255,14 +257,16 @@ class FractionCode {
   uint32_t left_ = 0;   // edges along z into a key slice; before their number, its ones so far
   uint32_t count_ = 0;  // their number
   uint16_t known_ = 0;  // the bits of entries on which contexts depend
-  uint16_t alike_ = 0;  // voxels around this one that equal it: see find_voxel()
-  uint8_t bit_ = 0;     // of the next edge's voxel
-  uint8_t last_ = 0;    // the fraction of the one before
+  // Voxels that equal this one, a bit each: x - 1, x and x + 1 of four rows. Bits 0 to 2 are those
+  // of row_.here, 3 to 5 of row_.behind, 6 to 8 of row_.below, 9 to 11 of row_.below_behind.
+  uint16_t alike_ = 0;
+  uint8_t bit_ = 0;   // of the next edge's voxel
+  uint8_t last_ = 0;  // the fraction of the one before
   Part part_ = Part::done;
   bool is_on_ = false;  // this voxel
   bool has_key_edges_ = false;
   bool knows_key_edges_ = false;
-  bool key_crosses_ = false;
+  bool has_key_fractions_ = false;
 };
 
 }  // namespace discmc::detail::slices

@@ -21,9 +21,9 @@ class FractionIntake {
   /// samples: row y - 1 from the column of the arriving samples on, before it this row.
   /// distances: distance_bytes() of this row in the slice before.
   FractionIntake(int32_t threshold, uint32_t levels, const Sample* samples, uint8_t* distances)
-      : threshold_(threshold < least            ? least
-                   : threshold > least + extent ? least + extent
-                                                : threshold),
+      : threshold_(threshold < min_sample            ? min_sample
+                   : threshold > min_sample + extent ? min_sample + extent
+                                                     : threshold),
         doubled_(2 * static_cast<uint32_t>(threshold_) - 1),
         levels_(levels),
         samples_(samples),
@@ -79,7 +79,7 @@ class FractionIntake {
   /// Keeps the bit widths of the distances of kept samples, at most 15.
   void keep_distances(uint32_t column, uint32_t count) {
     // The width of the lowest sample there is, and the samples that have it: most of most scans.
-    const uint32_t far_width = width_of(least, doubled_);
+    const uint32_t far_width = width_of(min_sample, doubled_);
     const trace::Threshold<Sample> far(threshold_ - (int32_t{1} << far_width >> 1));
     while (count > 0) {
       const uint32_t to_next = far.block - column % far.block;
@@ -96,7 +96,7 @@ class FractionIntake {
 
  private:
   static constexpr int32_t extent = int32_t{1} << 8 * sizeof(Sample);
-  static constexpr int32_t least = Sample(-1) < 0 ? -(extent / 2) : 0;
+  static constexpr int32_t min_sample = Sample(-1) < 0 ? -(extent / 2) : 0;
   static constexpr uint32_t per_four_words = 16 / sizeof(Sample);
   struct alignas(uint32_t) FourWords {
     Sample of[per_four_words];

@@ -47,7 +47,7 @@ enum class RowNote : uint8_t {
 constexpr uint32_t note_bits = 3;
 
 /// The position in a row that is written or read. A coder's code_bit(probability, bit) and
-/// number(bits, value) write the value, or return the one that they read.
+/// even(bits, value) write the value, or return the one that they read.
 class RowCode {
  public:
   /// row: in the format of BitRows, of `width` voxels; reading writes to it. Limit: before reading,
@@ -64,7 +64,7 @@ class RowCode {
   bool is_done() const { return left_ == 0; }
   /// The number of voxels that are not coded yet.
   uint32_t left() const { return left_; }
-  /// For a part of the row that follows the voxels.
+  /// While the fractions are coded: what is left of them, for a cut.
   void set_left(uint32_t left) { left_ = left; }
 
   /// Codes the next voxel or run. False if the bits that were read are from no encoder. Limit: not
@@ -80,12 +80,12 @@ class RowCode {
     } else {
       uint32_t same = same_voxels(level);
       const bool is_whole = coder.code_bit(model[run_context(level)], same == level);
-      same = is_whole ? level : coder.number(bit_width(level - 1), same);
+      same = is_whole ? level : coder.even(bit_width(level - 1), same);
       if (!is_whole && same >= level) return false;
-      pass(same);
+      write_equal(same);
       if (is_whole) return true;
     }
-    go_on(differs);
+    write_next(differs);
     return true;
   }
 
@@ -125,7 +125,7 @@ class RowCode {
       const uint32_t beside =
           (before_.nearest[word] ^ as_before_) | (before_.next[word] ^ as_before_);
       const uint32_t below = (before_.third[word] ^ as_before_) | (before_.last[word] ^ as_before_);
-      // A voxel shares all neighbours beside it but the last with the voxel before.
+      // Only the neighbour at x + 1 is new; the voxel before has the others, too.
       return beside >> 1 | below;
     });
   }
@@ -155,7 +155,7 @@ class RowCode {
   }
 
   // Writes this many voxels that equal the one before.
-  DISCMC_ALWAYS_INLINE void pass(uint32_t voxels) {
+  DISCMC_ALWAYS_INLINE void write_equal(uint32_t voxels) {
     DISCMC_LIMIT(voxels <= left_);
     left_ -= voxels;
     while (voxels > 0) {
@@ -168,7 +168,7 @@ class RowCode {
     }
   }
   // Writes the next voxel, which differs or not.
-  DISCMC_ALWAYS_INLINE void go_on(bool differs) {
+  DISCMC_ALWAYS_INLINE void write_next(bool differs) {
     if (differs) as_before_ = ~as_before_;
     --left_;
     row_[word_] |= as_before_ & uint32_t{1} << bit_;

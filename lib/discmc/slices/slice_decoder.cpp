@@ -255,7 +255,7 @@ void SliceDecoder::begin_fractions() {
 bool SliceDecoder::read_note() {
   note_ = RowNote::none;
   if (!coder_.code_bit(surfaces_.note(), false)) return true;
-  const uint32_t note = coder_.number(detail::slices::note_bits, 0);
+  const uint32_t note = coder_.even(detail::slices::note_bits, 0);
   if (note >= static_cast<uint32_t>(RowNote::none)) return false;
   note_ = static_cast<RowNote>(note);
   return note_ != RowNote::repeated || !is_key_ahead_;

@@ -253,7 +253,7 @@ bool SliceEncoder::is_at_key_slice() const {
 
 void SliceEncoder::encode_note(RowNote note) {
   coder_.code_bit(surfaces_.note(), note != RowNote::none);
-  if (note != RowNote::none) coder_.number(detail::slices::note_bits, static_cast<uint32_t>(note));
+  if (note != RowNote::none) coder_.even(detail::slices::note_bits, static_cast<uint32_t>(note));
 }
 
 // ---- packets ----

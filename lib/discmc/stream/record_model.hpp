@@ -96,15 +96,15 @@ constexpr uint32_t turn_between(uint32_t directions, uint32_t from, uint32_t to)
   return to - from + (to < from ? directions : 0);
 }
 
-/// The first, counter-clockwise, of the directions that lead back in the order z, y, x. Returns the
-/// number of directions if that is direction 0.
+/// The first direction, counter-clockwise, that leads back in the order z, y, x: the opposite of
+/// the first that leads forth. Direction 0 is returned as the number of directions.
 constexpr uint32_t first_back(Incidence incidence) {
   const uint32_t half = direction_count(incidence) / 2U;
   const Link* const first_half = detail::link_table.link[incidence];
   // Links of the second half are opposite to those of the first, and direction 0 leads back.
-  uint32_t forth = half;
-  while (first_half[forth - 1] >= link_codes / 2) --forth;
-  return half + forth;
+  uint32_t first_forth = half;
+  while (first_half[first_forth - 1] >= link_codes / 2) --first_forth;
+  return half + first_forth;
 }
 
 /// The maximum length of a run in a whole region; longer regions are sent in parts.
@@ -141,11 +141,13 @@ class RecordModel {
 
   // ---- a ring ----
 
-  /// Three or four corners as one symbol; 0 if the ring is coded run by run.
+  /// Three or four corners as one symbol; 0 if the ring is coded run by run. Else 1 + the three
+  /// turns less 1, as digits of base link_class() + 1, the lowest first.
   uint32_t corners(uint32_t corners) { return of_class(rows::corners(link_class_), corners); }
   /// The distance of the first direction from the first direction that leads back.
   uint32_t ring_direction(uint32_t from);
-  /// The first two lengths of a ring of four corners. Limit: 1 to 4 each; 4 means 4 or more.
+  /// The first two lengths of a ring of four corners: 4 * (first - 1) + second - 1. Limit: 1 to 4
+  /// each; 4 means 4 or more.
   uint32_t two_lengths(uint32_t lengths) { return of_class(rows::two_lengths, lengths); }
 
   // ---- any chain ----
@@ -290,14 +292,14 @@ Vertex RecordModel<Coder>::start(const Vertex& start) {
       y = signed_of(number(rows::steps_y, positive_of(y)));
     }
     // Along the row the place determines the sign.
-    const uint32_t told = number(rows::steps_x + rows::of_number * (place - ahead),
-                                 place == ahead    ? static_cast<uint32_t>(x) - ahead + 1
-                                 : place == behind ? 0 - static_cast<uint32_t>(x)
-                                                   : positive_of(x));
+    const uint32_t coded = number(rows::steps_x + rows::of_number * (place - ahead),
+                                  place == ahead    ? static_cast<uint32_t>(x) - ahead + 1
+                                  : place == behind ? 0 - static_cast<uint32_t>(x)
+                                                    : positive_of(x));
     if constexpr (!Coder::writes)
-      x = place == ahead    ? static_cast<int32_t>(told + ahead - 1)
-          : place == behind ? static_cast<int32_t>(0 - told)
-                            : signed_of(told);
+      x = place == ahead    ? static_cast<int32_t>(coded + ahead - 1)
+          : place == behind ? static_cast<int32_t>(0 - coded)
+                            : signed_of(coded);
   }
   const uint32_t axis = symbol(rows::axes + (place == 0 ? 0 : 16) + 4U * axis_, axis_of(start));
   axis_before_ = axis_;
@@ -310,9 +312,9 @@ Vertex RecordModel<Coder>::start(const Vertex& start) {
   return start_;
 }
 
-// All incidences around a vertex have one sign along its edge, and so have those on the other edges
-// of its voxel. Across the edge the incidence is predicted from the previous one, alike for on and
-// off.
+// All incidences around a vertex have one sign along its edge, and those on the other edges of its
+// voxel have the same. The other two components are predicted from the previous incidence; a
+// negative sign mirrors them.
 template <class Coder>
 Incidence RecordModel<Coder>::incidence(Incidence incidence) {
   using rows::other_heading;
@@ -346,8 +348,8 @@ void RecordModel<Coder>::set_incidence(Incidence incidence) {
 
 template <class Coder>
 uint32_t RecordModel<Coder>::ring_direction(uint32_t from) {
-  const uint32_t told = of_class(rows::ring_direction, from < 3 ? from : 3);
-  return told < 3 ? told : even(3, from);
+  const uint32_t coded = of_class(rows::ring_direction, from < 3 ? from : 3);
+  return coded < 3 ? coded : even(3, from);
 }
 
 template <class Coder>

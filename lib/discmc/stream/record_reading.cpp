@@ -51,16 +51,16 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   const uint32_t base = model.link_class() + 1;
   const uint32_t turns[] = {1 + code % base, 1 + code / base % base, 1 + code / base / base};
   const uint32_t sum = turns[0] + turns[1] + turns[2];
-  const uint32_t told = sum == directions ? 1 : 2;  // coded lengths of three runs, or of four
+  const uint32_t coded = sum == directions ? 1 : 2;  // coded lengths of three runs, or of four
   const uint32_t first = read_ring_direction(model, record.incidence);
-  if (first == no_direction || !record.has_room(told + 2)) return false;
+  if (first == no_direction || !record.has_room(coded + 2)) return false;
   Direction direction[4] = {static_cast<Direction>(first)};
   for (uint32_t i = 0; i < 3; ++i) {
     const uint32_t next = direction[i] + turns[i];
     direction[i + 1] = static_cast<Direction>(next < directions ? next : next - directions);
   }
   uint32_t lengths[2];
-  if (told == 1) {
+  if (coded == 1) {
     lengths[0] = model.length(rows::lengths, direction[0], 1);
   } else {
     const uint32_t two = model.two_lengths(0);
@@ -70,15 +70,15 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
       if (lengths[i] == 4) lengths[i] = 3 + model.length(rows::longer, direction[i], 1);
   }
   const uint32_t begin = record.count;
-  for (uint32_t i = 0; i < told; ++i) {
+  for (uint32_t i = 0; i < coded; ++i) {
     if (lengths[i] - 1 >= max_compact_length) return false;
     record.add_run(Run::straight(direction[i], lengths[i]));
   }
   const PlaneStep* const steps = plane_steps_of(model.link_class());
-  const Closure closure = close_ring(steps[direction[told]], steps[direction[told + 1]],
+  const Closure closure = close_ring(steps[direction[coded]], steps[direction[coded + 1]],
                                      way_back(record, begin, steps));
-  record.add_run(Run::straight(direction[told], closure.first));
-  record.add_run(Run::straight(direction[told + 1], closure.second));
+  record.add_run(Run::straight(direction[coded], closure.first));
+  record.add_run(Run::straight(direction[coded + 1], closure.second));
   return closure.is_valid;
 }
 

@@ -143,7 +143,7 @@ constexpr uint64_t Statistics::*trailer_totals[] = {
     &Statistics::regions,   &Statistics::rings,       &Statistics::links,
     &Statistics::fragments, &Statistics::skipped_rows};
 constexpr size_t trailer_payload = 4 + 1 + sizeof(Statistics) + 4;
-static_assert(sizeof(Statistics) == 8 * sizeof(uint64_t), "every total is told");
+static_assert(sizeof(Statistics) == 8 * sizeof(uint64_t), "the trailer holds every total");
 constexpr size_t slices_trailer_payload = 4 + 1 + 8 + 8 + 4;
 static_assert(trailer_payload <= max_payload && slices_trailer_payload <= max_payload, "they fit");
 

@@ -7,7 +7,7 @@ namespace {
 
 static_assert(word_of(29) == 0 && word_of(30) == 1 && word_of(Limits::max_extent) == 1092 &&
                   word_of(30 * 1092) == 1092 && word_of(30 * 1092 - 1) == 1091,
-              "a multiplication stands for the division");
+              "a multiplication replaces the division");
 
 static_assert(bit_row_bytes(Limits::max_extent, swept_rows(Limits::max_extent)) <= UINT32_MAX,
               "32 bits count the words of a ring");
@@ -120,8 +120,8 @@ void BitRows::write_bits(uint8_t* bits) const {
 }
 
 void BitRows::repeat() {
-  const bool first_of_all = rows_ == 0 && slices_ == 0;
-  const uint32_t* const before = first_of_all ? row_off() : row_before(1);
+  const bool is_first = rows_ == 0 && slices_ == 0;
+  const uint32_t* const before = is_first ? row_off() : row_before(1);
   uint32_t* const words = arriving();
   for (uint32_t i = 0; i < words_; ++i) words[i] = before[i];
   column_ = width_;

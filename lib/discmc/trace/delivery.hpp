@@ -5,9 +5,10 @@
 //   fragment     fragment, its runs, fragment_end; marked holes before it, as fragments
 //   hole         none yet: it waits in Holes for the ring around it
 //
-// A ring is a hole if it turns right at its first vertex. If too many holes wait, it goes out as a
-// fragment. settle() offers one event to the sink. When the sink has accepted it, go_on() selects
-// the next one. So a busy sink may suspend the delivery before any event.
+// A ring is a hole if it turns right at its last vertex in the order z, y, x, where its events
+// begin. If too many holes wait, it goes out as a fragment. settle() offers one event to the sink.
+// When the sink has accepted it, select_next() selects the next one. So a busy sink may suspend the
+// delivery before any event.
 #ifndef DISCMC_TRACE_DELIVERY_HPP
 #define DISCMC_TRACE_DELIVERY_HPP
 
@@ -43,10 +44,11 @@ class Delivery {
   /// After the last vertex: delivers holes that still wait, loose. As settle().
   bool settle_holes(Chains& chains, const Sink& sink, Statistics& statistics);
 
-  /// The steps of settle(): begin() selects the first event of what is outgoing; go_on() selects
-  /// the event after the one that the sink has accepted.
+  /// The steps of settle(): begin() selects the first event of what is outgoing, select_next() the
+  /// event after the one that the sink has accepted. Public for the extractor for PCs, which
+  /// continues here after a sink was busy.
   void begin(Chains& chains);
-  void go_on(Chains& chains, Statistics& statistics);
+  void select_next(Chains& chains, Statistics& statistics);
 
   const Holes<Index, Normal>& holes() const { return holes_; }
 
@@ -80,7 +82,7 @@ bool Delivery<Index, Normal, holes_wait>::settle(Chains& chains, const Sink& sin
   if (!is_delivering_ && chains.has_outgoing()) begin(chains);
   while (is_delivering_) {
     if (sink.accept(sink.context, event_) != SinkResult::accepted) return false;
-    go_on(chains, statistics);
+    select_next(chains, statistics);
   }
   return true;
 }
@@ -198,8 +200,8 @@ void Delivery<Index, Normal, holes_wait>::next_run(const Slots& slots) {
 
 // The sink has taken an event: what comes next?
 template <class Index, class Normal, bool holes_wait>
-DISCMC_NOINLINE void Delivery<Index, Normal, holes_wait>::go_on(Chains& chains,
-                                                                Statistics& statistics) {
+DISCMC_NOINLINE void Delivery<Index, Normal, holes_wait>::select_next(Chains& chains,
+                                                                      Statistics& statistics) {
   Slots& slots = chains.slots();
   switch (event_.kind) {
     case Event::Kind::region:

@@ -1,8 +1,9 @@
 // The open chains: fragments grow at the vertices that chains pass, join, and close to rings.
 //
-// A pass is the way of one chain through one vertex. An end of a fragment waits in the queue of the
-// link that leads on from it. If the sweep has visited a neighbour, an end waits for the pass: a
-// tail in queue `in`, or a begin in queue `out`. A neighbour that it has not visited is ahead:
+// A pass is the way of one chain through one vertex. An end of a fragment waits in the queue of its
+// link to a vertex that is visited later. That link leaves a tail, and reaches a begin. If
+// the sweep has visited a neighbour, an end waits for the pass: a tail in queue `in`, or a begin in
+// queue `out`. A neighbour that it has not visited is ahead:
 //
 //   arrives from   leaves to   process()
 //   visited        ahead       lengthens the tail, which waits again
@@ -10,9 +11,10 @@
 //   ahead          ahead       begins a fragment, whose two ends wait
 //   visited        visited     joins two fragments, or closes a ring if they are one
 //
-// Only a corner adds a run to the fragment. If few slots are free, long fragments leave early. If
-// an end finds no slot to wait in, it is lost: its fragment has a loose end. A ring, or a fragment
-// with two loose ends, is outgoing() until Delivery has sent it.
+// A run is added at a corner, at a join, where an end is cut, and where a side is full. If few
+// slots are free, the runs of long fragments leave early. If an end finds no slot to wait in, it is
+// lost: its fragment has a loose end. A ring, and runs that leave a fragment, are outgoing() until
+// Delivery has sent them.
 #ifndef DISCMC_TRACE_FRAGMENTS_HPP
 #define DISCMC_TRACE_FRAGMENTS_HPP
 
@@ -46,16 +48,16 @@ constexpr LinkSteps link_steps() {
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
 /// Sides are kept whole up to this distance of places.
-constexpr uint32_t longest_side = 4080;
+constexpr uint32_t max_side_places = 4080;
 
-/// Whether a side between two places is as long as may be kept whole: two such sides may join, and
-/// places still give the length. The order of the places does not matter.
-inline bool is_longest_side(Place from, Place to) {
-  return (to - from + longest_side - 1) % (1U << place_bits) >= 2 * longest_side - 1;
+/// Whether a side between two places is full, so that it is split here. Two full sides may join,
+/// and places still give the length. The order of the places does not matter.
+inline bool is_full_side(Place from, Place to) {
+  return (to - from + max_side_places - 1) % (1U << place_bits) >= 2 * max_side_places - 1;
 }
-static_assert(2 * (longest_side + LinkSteps::longest) < 1U << place_bits,
+static_assert(2 * (max_side_places + LinkSteps::longest) < 1U << place_bits,
               "two sides, each with a link more, are less than all places");
-static_assert(2 * (longest_side + LinkSteps::longest) <= longest_short_run,
+static_assert(2 * (max_side_places + LinkSteps::longest) <= longest_short_run,
               "a run has room for two sides of links that count one each");
 static_assert(short_run(7, longest_short_run) == UINT16_MAX && 3 + place_bits <= 16,
               "a run, and a side, have a direction and 13 bits");
@@ -96,7 +98,7 @@ class Fragments {
   /// No fragment is sent early while this many slots are free.
   static constexpr uint32_t plenty = 1024;
   /// The most slots that a pass takes.
-  static constexpr uint32_t slots_a_pass = 6;
+  static constexpr uint32_t slots_per_pass = 6;
   /// This many further slots, or half of all, are withheld from ends that wait for the next slice.
   static constexpr uint32_t max_kept = 80;
 
@@ -104,7 +106,7 @@ class Fragments {
     slots_.start(slots, capacity);
     queues_.start(queues);
     kept_for_slice_ = capacity / 2 < max_kept ? capacity / 2 : max_kept;
-    enough_for_ends_ = slots_a_pass + 2 * kept_for_slice_;
+    enough_for_ends_ = slots_per_pass + 2 * kept_for_slice_;
   }
   void clear() {
     slots_.clear();
@@ -117,9 +119,11 @@ class Fragments {
   template <class Intake>
   void process(const Pass& pass, const Vertex& vertex, const Intake& intake);
 
-  /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there. A chain
-  /// that descends from it begins, loose, at the next vertex. Limits and cost as process().
-  void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
+  /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there. Limits and
+  /// cost as process().
+  void end_rising(const Pass& pass, const Vertex& vertex);
+  /// There, too: a chain that descends from the vertex begins, loose, at the next one.
+  void begin_descending(const Pass& pass, const Vertex& vertex);
 
   /// Moves a vertex by a link.
   static void follow(Vertex& vertex, Link link) { translate(vertex, link, 1); }
@@ -145,9 +149,17 @@ class Fragments {
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   /// What goes out, until whoever delivers it sets its kind to none.
   Outgoing<Index>& outgoing() { return outgoing_; }
+  /// Makes runs outgoing, which begin at `start`.
+  void put_out(typename Outgoing<Index>::Kind kind, Incidence incidence, Index last,
+               const Vertex& start) {
+    outgoing_.kind = kind;
+    outgoing_.incidence = incidence;
+    outgoing_.last = last;
+    outgoing_.start = start;
+  }
   Slots& slots() { return slots_; }
   const Slots& slots() const { return slots_; }
-  /// Slots that may be taken without more ado.
+  /// The free slots, less one for each queue whose last entry is an end (queues.hpp).
   uint32_t spare() const { return slots_.available(); }
 
  private:
@@ -200,13 +212,6 @@ class Fragments {
   }
   bool is_long(Index list, Index other) const;
   void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
-  void put_out(typename Outgoing<Index>::Kind kind, Incidence incidence, Index last,
-               const Vertex& start) {
-    outgoing_.kind = kind;
-    outgoing_.incidence = incidence;
-    outgoing_.last = last;
-    outgoing_.start = start;
-  }
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
   Slots slots_;                   // first, so that its address is at hand
@@ -235,7 +240,7 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::process(const Pass& pass, const V
     if (tail == no_slot) {
       // It comes along a link whose end was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.incoming)), intake);
-    } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
+    } else if (pass.turns() || is_full_side(end(tail).side.place(), here)) {
       turn(tail, pass.incoming, here, direction(pass, pass.first),
            normal_where(pass.turns(), vertex, intake));
       has_new_runs = true;
@@ -306,7 +311,7 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& p
     turn_back(begin, pass.second, moved(here, pass.first), direction(pass, pass.first),
               intake.normal_at(last_corner(pass, vertex)));
   }
-  if (pass.turns() || !is_waiting || is_longest_side(here, end(begin).side.place())) {
+  if (pass.turns() || !is_waiting || is_full_side(here, end(begin).side.place())) {
     turn_back(begin, pass.first, here, direction(pass, pass.incoming),
               normal_where(pass.turns(), vertex, intake));
     has_new_runs = true;
@@ -371,7 +376,8 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::cut_tail(const Pass& pass, c
   end_tail(pass, tail, pass.second, next);
 }
 
-// It ends at a vertex, where it comes by a link. Moves the vertex.
+// The fragment ends loose at a vertex. along: its last link. If its runs are sent, `at` becomes the
+// vertex at which they begin.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along, Vertex& at) {
   turn(tail, along, place_of(at), {}, {});
@@ -392,7 +398,7 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::join(const Pass& pass, const
   const Index first_end = before.mate;
   const Index last_end = end(begin).mate;
   const bool is_closed = first_end == begin;
-  Index& runs_after = runs_of(begin);  // where it closes, those before
+  Index& runs_after = runs_of(begin);  // for a ring: the list of `before`, too
   Entry run;
   run.run =
       short_run(after.direction(), links_between(before.side.place(), after.place(), pass.second));
@@ -436,21 +442,30 @@ void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
 
 // ---- at the seam of a slab ----
 
-// The cells above take no part, so that no chain goes up from here: those in rising queues are
-// below.
+// No cell above the seam takes part, so no chain rises from its vertices. A pass with a rising
+// queue has its link in the slice below.
+
 template <class Index, class Normal>
-void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bool ends) {
+void Fragments<Index, Normal>::end_rising(const Pass& pass, const Vertex& vertex) {
   DISCMC_LIMIT(!has_outgoing());
-  Vertex at = ends ? vertex : next_vertex(pass, vertex);
-  const Link along = ends ? pass.incoming : pass.second;
-  const uint8_t queue = ends ? pass.in : pass.out;
-  if (queue < first_rising_queue) return;
-  const Index index = pop(queue);
-  if (index == no_slot) return;
-  if (ends) return end_tail(pass, index, along, at);
-  const Side side = end(index).side;
-  if (side.place() != place_of(at)) turn_back(index, along, place_of(at), side.direction(), {});
-  cut_begin(pass, index, along, at);
+  if (pass.in < first_rising_queue) return;
+  const Index tail = pop(pass.in);
+  if (tail == no_slot) return;
+  Vertex at = vertex;
+  end_tail(pass, tail, pass.incoming, at);
+}
+
+template <class Index, class Normal>
+void Fragments<Index, Normal>::begin_descending(const Pass& pass, const Vertex& vertex) {
+  DISCMC_LIMIT(!has_outgoing());
+  if (pass.out < first_rising_queue) return;
+  const Index begin = pop(pass.out);
+  if (begin == no_slot) return;
+  Vertex at = next_vertex(pass, vertex);
+  const Side side = end(begin).side;
+  if (side.place() != place_of(at))
+    turn_back(begin, pass.second, place_of(at), side.direction(), {});
+  cut_begin(pass, begin, pass.second, at);
 }
 
 // ---- short of slots ----
@@ -460,19 +475,21 @@ void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bo
 // are also lost earlier behind a lost end, where they take no slot.
 template <class Index, class Normal>
 uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
-  if (queue < first_rising_queue) return slots_a_pass;
-  uint32_t least = slots_a_pass + kept_for_slice_;
-  if (is_loose(mate)) least += kept_for_slice_ / 2;
-  if (queues_.last_is_lost(slots_, queue)) least += kept_for_slice_ / 4;
-  return least;
+  if (queue < first_rising_queue) return slots_per_pass;
+  uint32_t needed = slots_per_pass + kept_for_slice_;
+  if (is_loose(mate)) needed += kept_for_slice_ / 2;
+  if (queues_.last_is_lost(slots_, queue)) needed += kept_for_slice_ / 4;
+  return needed;
 }
 
-// With fewer free slots, shorter fragments count as long and are sent. Without free slots, every
-// fragment is sent, and releases the slots that the pass has taken.
+// A fragment is long if it has more than a sixteenth of the spare slots. Below 16, every fragment
+// with a run is. Sending releases the slots that the pass has taken.
 template <class Index, class Normal>
 bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
-  const uint32_t most = spare() / 16;
-  return Lists::slots_up_to(slots_, list, most) + Lists::slots_up_to(slots_, other, most) > most;
+  const uint32_t max_slots = spare() / 16;
+  return Lists::slots_up_to(slots_, list, max_slots) +
+             Lists::slots_up_to(slots_, other, max_slots) >
+         max_slots;
 }
 
 // Sends the runs of a fragment that was lengthened at a vertex, if there are too many: the index of

@@ -126,8 +126,8 @@ class GradientIntake {
   // value. If the threshold exceeds all values of the type, nothing is on and there are no normals.
   static Sample off_below(int32_t threshold) {
     constexpr bool is_signed = static_cast<Sample>(-1) < 0;
-    constexpr int32_t least = is_signed ? -(1 << (8 * sizeof(Sample) - 1)) : 0;
-    return static_cast<Sample>(threshold > least ? threshold - 1 : least);
+    constexpr int32_t min_sample = is_signed ? -(1 << (8 * sizeof(Sample) - 1)) : 0;
+    return static_cast<Sample>(threshold > min_sample ? threshold - 1 : min_sample);
   }
 
   int32_t spacing_nm_[3] = {0, 0, 0};  // unknown

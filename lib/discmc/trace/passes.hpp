@@ -31,10 +31,10 @@ struct Pass {
 
 /// All passes at a vertex.
 struct PassList {
-  static constexpr int most = 8;
+  static constexpr int max_passes = 8;
 
   uint32_t parts;  ///< what the vertex adds to the counts of cells: see CountParts
-  Pass pass[most];
+  Pass pass[max_passes];
   uint8_t count;
 };
 

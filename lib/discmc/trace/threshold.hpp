@@ -69,9 +69,10 @@ class Threshold {
 
   explicit Threshold(int32_t threshold)
       : threshold_(threshold),
-        lanes_(static_cast<uint32_t>(threshold < least              ? 0
-                                     : threshold > least + 2 * half ? 2 * half
-                                                                    : threshold - least)) {}
+        lanes_(static_cast<uint32_t>(threshold < min_sample ? 0
+                                     : threshold > min_sample + 2 * half
+                                         ? 2 * half
+                                         : threshold - min_sample)) {}
 
   bool reached(Sample sample) const { return int32_t{sample} >= threshold_; }
 
@@ -80,7 +81,7 @@ class Threshold {
     return is_little_endian && reinterpret_cast<uintptr_t>(samples) % sizeof(uint32_t) == 0;
   }
 
-  /// Samples from here to where the next word begins, at least one.
+  /// Samples from here to where the next word begins, at min_sample one.
   static uint32_t samples_to_word(const Sample* samples) {
     return lanes - reinterpret_cast<uintptr_t>(samples) / sizeof(Sample) % lanes;
   }
@@ -119,12 +120,12 @@ class Threshold {
  private:
   using Lanes = LaneThreshold<8 * sizeof(Sample)>;
   static constexpr int32_t half = Lanes::half;
-  static constexpr int32_t least = Sample(-1) < 0 ? -half : 0;
+  static constexpr int32_t min_sample = Sample(-1) < 0 ? -half : 0;
 
   // Samples as unsigned numbers of the same order.
   static uint32_t word_at(const Sample* samples) {
     const uint32_t word = aligned_word(samples);
-    return least < 0 ? word ^ Lanes::tops : word;
+    return min_sample < 0 ? word ^ Lanes::tops : word;
   }
 
   int32_t threshold_;

@@ -96,10 +96,10 @@ class Writer {
   void items(unsigned jobs, std::size_t count, const Write& write) {
     struct Nothing {};
     parts<Nothing>(
-        jobs, (count + items_a_part - 1) / items_a_part,
+        jobs, (count + items_per_part - 1) / items_per_part,
         [&write, count](Writer& part, std::size_t number, Nothing&) {
-          const std::size_t first = number * items_a_part;
-          const std::size_t end = std::min(first + items_a_part, count);
+          const std::size_t first = number * items_per_part;
+          const std::size_t end = std::min(first + items_per_part, count);
           for (std::size_t item = first; item < end; ++item) write(part, item);
         },
         [](Nothing&) {});
@@ -129,7 +129,7 @@ class Writer {
 
  private:
   static constexpr std::size_t full = std::size_t{1} << 16;
-  static constexpr std::size_t items_a_part = std::size_t{1} << 14;
+  static constexpr std::size_t items_per_part = std::size_t{1} << 14;
 
   Writer() : buffer_(full) {}  // of a part: without a stream
 

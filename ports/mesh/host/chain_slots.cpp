@@ -10,6 +10,7 @@ namespace {
 
 using Fragments = Chains::Fragments;
 using Lists = Fragments::Lists;
+using Outgoing = detail::trace::Outgoing<uint32_t>;
 
 bool is_centroid(const Vertex& v) {
   return (v.x & v.y & 1) != 0;
@@ -22,8 +23,7 @@ struct Front {
   bool has_passed(const Vertex& v) const {
     return precedes({v.x >> 1, v.y >> 1, v.z >> 1}, {x, y, z});
   }
-  // How many links an end has surely passed beyond a corner. From a centroid there may be one alone
-  // that leads back a little, to a vertex ahead.
+  // At least how many links of a side are behind the sweep; 0 if the side does not lead ahead.
   uint32_t links_passed(const Vertex& corner, const Vertex& step) const {
     const auto passed = [](int32_t coordinate, int32_t by, int32_t voxel) {
       const int32_t links = (2 * voxel - 2 - coordinate) / by;
@@ -80,8 +80,9 @@ class Sides {
   uint32_t list_ = no_slot;
 };
 
-// An end that waits, on a side by a link. What has been passed of the side already, ahead of the
-// corner, is a side of its own: the rest is short. may_turn: the chain turns at the next centroid.
+// Makes the end that waits at a corner. side: the link of its direction. ahead: the link away from
+// the fragment. Links that the sweep has surely passed become a run, so the rest of the side is
+// short. may_turn: none does, as the chain may turn at the next centroid.
 uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link ahead,
                  bool may_turn, const Front& front) {
   Vertex vertex = corner.vertex();
@@ -123,11 +124,7 @@ void Chains::put_out_ring(Fragments& fragments) const {
     at = node[at].next;
   } while (at != first);
   sides.add(start);
-  auto& outgoing = fragments.outgoing();
-  outgoing.kind = detail::trace::Outgoing<uint32_t>::Kind::ring;
-  outgoing.incidence = start.incidence();
-  outgoing.start = start.vertex();
-  outgoing.last = sides.list();
+  fragments.put_out(Outgoing::Kind::ring, start.incidence(), sides.list(), start.vertex());
 }
 
 // Fragments go out in the order in which they were completed, each by its newest node. That node
@@ -164,12 +161,8 @@ void Chains::put_out_complete(Fragments& fragments) {
     at = node[at].next;
     sides.add(node[at]);
   }
-  auto& outgoing = fragments.outgoing();
-  outgoing.kind = detail::trace::Outgoing<uint32_t>::Kind::fragment;
-  outgoing.incidence = start.incidence();
-  outgoing.start = start.vertex();
-  outgoing.incoming = sides.direction(start.onwards());
-  outgoing.last = sides.list();
+  fragments.put_out(Outgoing::Kind::fragment, start.incidence(), sides.list(), start.vertex());
+  fragments.outgoing().incoming = sides.direction(start.onwards());
 }
 
 void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row, uint32_t word) {
@@ -211,7 +204,7 @@ void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row,
         seat[at - Node::waiting_tail] = tail;
       }
       fragments.connect(begin, tail, sides.list());
-      DISCMC_LIMIT(available - slots.available() <= slots_a_node * nodes_passed);
+      DISCMC_LIMIT(available - slots.available() <= slots_per_node * nodes_passed);
     }
   for (uint32_t queue = 0; queue < seam_tails; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i)

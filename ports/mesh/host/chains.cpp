@@ -22,7 +22,7 @@ void for_each_queue(Visit visit) {
 }  // namespace
 
 bool Chains::start(Slots& slots) {
-  free_places_ = complete_ = joins_ = next_join_ = 0;
+  min_free_seats_ = complete_ = joins_ = next_join_ = 0;
   if (slots.available() < room_.slots()) return false;
   (void)new_area(slots, 1);
   uint32_t seat = new_area(slots, room_.seat_slots()).first * seats_per_slot;
@@ -54,7 +54,7 @@ void Chains::give(Slots& slots, const Area& area) {
 
 bool Chains::make_room(Slots& slots) {
   DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
-  if (!find_places(slots) || !find_area(slots, area_[0].slots)) return false;
+  if (!make_seats(slots) || !find_area(slots, area_[0].slots)) return false;
   copy_open(slots);
   // So that copying now and then is little work for each pass.
   const uint32_t open = top_ - area_[0].first;
@@ -64,7 +64,7 @@ bool Chains::make_room(Slots& slots) {
   return has_room_for(slots, open);
 }
 
-// Makes the free area as large at least. False when there is no room.
+// Ensures that the free area has `count` slots or more. False when there is no room.
 bool Chains::find_area(Slots& slots, uint32_t count) {
   if (area_[1].slots >= count) return true;
   if (slots.available() < reserve() + count) return false;
@@ -112,36 +112,36 @@ void Chains::copy_open(Slots& slots) {
 }
 
 // Makes room in the queues. False when one of them has too little.
-bool Chains::find_places(Slots& slots) {
-  find_least_places();
-  if (has_places()) return true;
+bool Chains::make_seats(Slots& slots) {
+  find_min_free_seats();
+  if (has_free_seats()) return true;
   back(seam_tails) = front(seam_tails);
   for_each_queue([&](uint32_t queue) {
     const uint32_t seats = end_seat_[queue] - first_seat_[queue];
-    const uint32_t free = places(queue);
+    const uint32_t free = free_seats(queue);
     const uint32_t needed = is_at_seam(queue) ? max_across : Edges::max_edges;
     const bool is_short_move = free < seats / 4 * 3 && back(queue) - front(queue) <= seats / 16;
-    if (free < needed || is_short_move) make_places(slots, queue);
+    if (free < needed || is_short_move) make_seats_in(slots, queue);
   });
-  find_least_places();
-  return has_places();
+  find_min_free_seats();
+  return has_free_seats();
 }
 
-void Chains::find_least_places() {
-  uint32_t least = UINT32_MAX;
-  const auto find = [&least](const uint32_t* end, const uint32_t* back) {
+void Chains::find_min_free_seats() {
+  uint32_t min_free = UINT32_MAX;
+  const auto find = [&min_free](const uint32_t* end, const uint32_t* back) {
     for (uint32_t i = 0; i < queues_each - 1; ++i) {
-      const uint32_t places = end[i] - back[i];
-      least = places < least ? places : least;
+      const uint32_t free = end[i] - back[i];
+      min_free = free < min_free ? free : min_free;
     }
   };
   find(end_seat_, of_out_);
   find(end_seat_ + first_begins, of_in_ + first_begins);
-  free_places_ = least;
+  min_free_seats_ = min_free;
 }
 
 // Moves what waits in a queue to its first seats, or to twice as many elsewhere if there are slots.
-void Chains::make_places(Slots& slots, uint32_t queue) {
+void Chains::make_seats_in(Slots& slots, uint32_t queue) {
   uint32_t* const seat = seats(slots);
   const uint32_t waiting = back(queue) - front(queue);
   const uint32_t old_first = first_seat_[queue];
@@ -206,7 +206,8 @@ void Chains::process(Slots& slots, const FoundPasses& passes, uint32_t edges) {
     node[top].set_voxel(voxel);
     node[top].next = after | goes_ahead;
     node[top].pass = pass;
-    // The node before, if there is one: what goes straight on has no next.
+    // The node before, if there is one, leads to the new one. If the chain is straight here, no
+    // node is made, and it stays the last.
     node[before & ~comes_from_ahead].next = top | is_straight;
     join_[joins] = top;
     joins += 1 + (comes_from_ahead | goes_ahead);
@@ -214,7 +215,7 @@ void Chains::process(Slots& slots, const FoundPasses& passes, uint32_t edges) {
   });
   top_ = top;
   joins_ = joins;
-  free_places_ -= edges;
+  min_free_seats_ -= edges;
 }
 
 bool Chains::find_ring(Slots& slots) {
@@ -229,6 +230,7 @@ bool Chains::find_ring(Slots& slots) {
       corner = node[at].add_corners(corner);
       at = node[at].next;
     } while (at < join && --steps != 0);
+    // A newer node: the chain is open. Only a newer shortcut may lead back.
     if (at > join && (at == Node::no_node || node[at].pass != Node::shortcut)) continue;
     ring_ = join;
     if (at != join) {
@@ -247,7 +249,8 @@ bool Chains::find_ring(Slots& slots) {
   return false;
 }
 
-// Whether a chain comes back to the ring's join, on which there is a long way from there to a node.
+// Whether the chain returns to the join of ring_. at: where the short walk stopped. If it does not,
+// adds a shortcut to the last node reached.
 DISCMC_NOINLINE bool Chains::comes_back(Slots& slots, uint32_t at) {
   Node* const node = nodes(slots);
   uint32_t last = at;

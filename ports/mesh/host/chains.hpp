@@ -19,7 +19,8 @@
 // One end of such a node waits in a queue of the seam, from which no pass removes it. A fragment
 // between two of these nodes is complete.
 //
-// Nodes and queues are in the pool of slots, so a checkpoint contains them.
+// A queue is an array of seats; each holds the number of a waiting node. Nodes and queues are in
+// the pool of slots, so a checkpoint contains them.
 #ifndef DISCMC_MESH_HOST_CHAINS_HPP
 #define DISCMC_MESH_HOST_CHAINS_HPP
 
@@ -29,21 +30,22 @@
 
 namespace discmc::host {
 
-/// The memory with which chains begin, and how far a ring is followed before the slower way.
+/// The initial sizes of nodes and queues, and how many nodes find_ring() follows before it uses
+/// shortcuts.
 struct ChainRoom {
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
   // A pass is a node. It may be a join, which may leave a shortcut.
   static constexpr uint32_t max_joins = FoundPasses::max_passes;
   static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
   // Passes that cross a seam: one edge may have all its passes across it.
-  static constexpr uint32_t max_across = Edges::max_at_seam * detail::trace::PassList::most;
+  static constexpr uint32_t max_across = Edges::max_at_seam * detail::trace::PassList::max_passes;
   // Slots are set aside for handing over. A node that waits at both ends becomes two ends. Both of
   // its sides may be long: up to eight slots of runs.
-  static constexpr uint32_t slots_a_node = 10;
+  static constexpr uint32_t slots_per_node = 10;
   static constexpr uint32_t runs_of_side =
       (2 * (Limits::max_extent + 1) + detail::trace::longest_short_run - 1) /
       detail::trace::longest_short_run;
-  static_assert(2 + (2 * runs_of_side + 2 + 2) / 3 <= slots_a_node,
+  static_assert(2 + (2 * runs_of_side + 2 + 2) / 3 <= slots_per_node,
                 "two ends, two long sides, and two short ones at centroids");
   static constexpr uint32_t max_corners = 512;
 
@@ -64,7 +66,7 @@ struct ChainRoom {
   }
   /// The slots with which chains begin.
   constexpr uint32_t slots() const {
-    return 1 + seat_slots() + 2 * nodes + 2 * slots_a_node * max_new;
+    return 1 + seat_slots() + 2 * nodes + 2 * slots_per_node * max_new;
   }
 };
 
@@ -95,7 +97,7 @@ class Chains {
   /// below: no ring and no complete fragment is due.
   bool has_room(Slots& slots) {
     DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
-    return (has_places() || find_places(slots)) && has_room_for(slots, 0);
+    return (has_free_seats() || make_seats(slots)) && has_room_for(slots, 0);
   }
   /// Makes room. False when too many slots would be in use: then hand_over(). Limit: no fragment is
   /// complete. Cost: copies all open fragments.
@@ -127,21 +129,22 @@ class Chains {
  private:
   static constexpr uint32_t max_new = ChainRoom::max_new;
   static constexpr uint32_t max_across = ChainRoom::max_across;
-  static constexpr uint32_t slots_a_node = ChainRoom::slots_a_node;
+  static constexpr uint32_t slots_per_node = ChainRoom::slots_per_node;
   static constexpr uint32_t seats_per_slot = ChainRoom::seats_per_slot;
 
   struct Area {
     uint32_t first, slots;
   };
 
-  // Slot n, counted from 0, belongs to node n + 1. Slot 0 is never read.
+  // Node n is slot n + 1 of the pool, whose slot 0 is none. Node 0 is written for passes without a
+  // node before them, and never read.
   static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[1]); }
   static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[1]); }
   uint32_t& front(uint32_t queue) { return queue < first_begins ? of_in_[queue] : of_out_[queue]; }
   uint32_t& back(uint32_t queue) { return queue < first_begins ? of_out_[queue] : of_in_[queue]; }
 
   static bool is_at_seam(uint32_t queue) { return queue == seam_tails || queue == seam_begins; }
-  uint32_t places(uint32_t queue) { return end_seat_[queue] - back(queue); }
+  uint32_t free_seats(uint32_t queue) { return end_seat_[queue] - back(queue); }
   bool is_within_seats(uint32_t queue) {
     return first_seat_[queue] <= front(queue) && front(queue) <= back(queue) &&
            back(queue) <= end_seat_[queue];
@@ -153,37 +156,38 @@ class Chains {
     bool is_ready = end_ == end && end - top_ >= 2 * FoundPasses::max_passes &&
                     slots.available() >= 10 * (top_ - area_[0].first + 2 * FoundPasses::max_passes);
     for (uint32_t queue = 0; queue < queue_codes; ++queue)
-      is_ready =
-          is_ready && is_within_seats(queue) &&
-          places(queue) >= (is_at_seam(queue) ? Edges::max_at_seam * detail::trace::PassList::most
-                                              : Edges::max_edges);
+      is_ready = is_ready && is_within_seats(queue) &&
+                 free_seats(queue) >=
+                     (is_at_seam(queue) ? Edges::max_at_seam * detail::trace::PassList::max_passes
+                                        : Edges::max_edges);
     return is_ready;
   }
 
-  uint32_t reserve() const { return slots_a_node * (top_ - area_[0].first + max_new); }
+  uint32_t reserve() const { return slots_per_node * (top_ - area_[0].first + max_new); }
   bool has_room_for(const Slots& slots, uint32_t nodes) const {
-    return top_ + nodes + max_new <= end_ && slots.available() >= reserve() + slots_a_node * nodes;
+    return top_ + nodes + max_new <= end_ &&
+           slots.available() >= reserve() + slots_per_node * nodes;
   }
   Area new_area(Slots& slots, uint32_t count);
   void give(Slots& slots, const Area& area);
   bool find_area(Slots& slots, uint32_t count);
-  bool has_places() {
-    return free_places_ >= Edges::max_edges && places(seam_tails) >= max_across &&
-           places(seam_begins) >= max_across;
+  bool has_free_seats() {
+    return min_free_seats_ >= Edges::max_edges && free_seats(seam_tails) >= max_across &&
+           free_seats(seam_begins) >= max_across;
   }
-  bool find_places(Slots& slots);
-  void find_least_places();
-  void make_places(Slots& slots, uint32_t queue);
+  bool make_seats(Slots& slots);
+  void find_min_free_seats();
+  void make_seats_in(Slots& slots, uint32_t queue);
   void mark_tails(Slots& slots);
   void copy_open(Slots& slots);
   bool comes_back(Slots& slots, uint32_t at);
 
   ChainRoom room_;
-  Area area_[2] = {};         // nodes are in the first; the other is free
-  uint32_t top_ = 0;          // behind the last node
-  uint32_t end_ = 0;          // the limit of top_
-  uint32_t free_places_ = 0;  // every queue has as many, except those of the seam
-  uint32_t complete_ = 0;     // fragments between seams, the first ones of seam_begins
+  Area area_[2] = {};            // nodes are in the first; the other is free
+  uint32_t top_ = 0;             // behind the last node
+  uint32_t end_ = 0;             // the limit of top_
+  uint32_t min_free_seats_ = 0;  // of the queues, except those of the seam
+  uint32_t complete_ = 0;        // fragments between seams, the first ones of seam_begins
   uint32_t joins_ = 0;
   uint32_t next_join_ = 0;
   uint32_t ring_ = 0;

@@ -10,7 +10,7 @@ namespace discmc::host {
 
 class FoundPasses {
  public:
-  static constexpr uint32_t max_passes = Edges::max_edges * detail::trace::PassList::most;
+  static constexpr uint32_t max_passes = Edges::max_edges * detail::trace::PassList::max_passes;
 
   /// Finds the passes of some edges, and adds to the counts of cells.
   void find(const Edges& edges, detail::trace::SweepCounts& counts);
@@ -49,9 +49,9 @@ class FoundPasses {
   Place place_[Edges::max_edges + 1] = {};
   // Four words are copied behind a first ray, however many count.
   RayWord ray_[max_passes + Edges::max_edges + 5] = {};
-  static_assert(2 * sizeof(HalfRays) == detail::trace::PassList::most * sizeof(RayWord),
+  static_assert(2 * sizeof(HalfRays) == detail::trace::PassList::max_passes * sizeof(RayWord),
                 "a vertex has as many rays as two halves");
-  static_assert(Edges::max_at_seam * (2 * detail::trace::PassList::most + 1) <=
+  static_assert(Edges::max_at_seam * (2 * detail::trace::PassList::max_passes + 1) <=
                     max_passes + Edges::max_edges,
                 "both ends of each pass at a seam have room");
 };

@@ -212,7 +212,7 @@ bool Sweep::send_events(const WholeRegion& region, const Sink& sink, Statistics&
   if (taken == region.count + 3) return true;
   chains_.put_out_ring(fragments_);
   delivery_.begin(fragments_);
-  for (; taken > 0; --taken) delivery_.go_on(fragments_, statistics);
+  for (; taken > 0; --taken) delivery_.select_next(fragments_, statistics);
   return false;
 }
 

@@ -74,14 +74,14 @@ struct PolygonSpan {
 };
 
 /// Polygons are worked on in blocks, as many of them at once as there are jobs.
-constexpr std::size_t polygons_a_block = 1 << 12;
+constexpr std::size_t polygons_per_block = 1 << 12;
 
 inline std::size_t block_count(const Polygons& polygons) {
-  return (polygons.size() + polygons_a_block - 1) / polygons_a_block;
+  return (polygons.size() + polygons_per_block - 1) / polygons_per_block;
 }
 inline PolygonSpan block_of(const Polygons& polygons, std::size_t block) {
-  const std::size_t first = block * polygons_a_block;
-  return {first, std::min(first + polygons_a_block, polygons.size())};
+  const std::size_t first = block * polygons_per_block;
+  return {first, std::min(first + polygons_per_block, polygons.size())};
 }
 
 /// Calls for every polygon of a block with its number, when its outline has been followed.

@@ -157,7 +157,7 @@ class VolumeKeeper {
 
   // The crossing of an edge, as Crossings::at(), with the shifts of now.
   float at(const Piece& piece, const Piece::Edge& edge) const {
-    const auto least = static_cast<float>(keeping_.min_mm);
+    const auto least = static_cast<float>(keeping_.min_distance_mm);
     const double rival = edge.rival == no_piece ? 0 : pieces_[edge.rival].shift_mm;
     const auto shift = static_cast<float>(piece.shift_mm - rival);
     // Without branches: which way an edge falls is hard to foretell.
@@ -290,7 +290,7 @@ class VolumeKeeper {
       const std::vector<double> moves = moves_against(excess);
       for (std::size_t i = 0; i < pieces_.size(); ++i)
         pieces_[i].shift_mm =
-            std::clamp(last[i] + moves[i], -keeping_.farthest_mm, keeping_.farthest_mm);
+            std::clamp(last[i] + moves[i], -keeping_.max_shift_mm, keeping_.max_shift_mm);
     }
     return false;
   }
@@ -308,7 +308,7 @@ class VolumeKeeper {
       for (const Piece::Edge& edge : pieces_[i].edges)
         if (edge.rival != no_piece) touching.join(i, edge.rival);
     const std::vector<double> before = shifts();
-    set_shifts(std::vector<double>(pieces_.size(), keeping_.farthest_mm / 2));
+    set_shifts(std::vector<double>(pieces_.size(), keeping_.max_shift_mm / 2));
     const std::vector<double> excess = excess_mm3();
     struct Group {
       double wanted_mm3 = 0, most_mm3 = 0, bodies_mm3 = 0;
@@ -398,7 +398,7 @@ class VolumeKeeper {
     const auto shift =
         static_cast<float>(piece.shift_mm - (has_rival ? pieces_[edge.rival].shift_mm : 0));
     const Ends ends = edge.ends;
-    const auto least = static_cast<float>(keeping_.min_mm);
+    const auto least = static_cast<float>(keeping_.min_distance_mm);
     const float at_on = edge.sign > 0 ? ends.begin : ends.end;
     const float at_off = edge.sign > 0 ? ends.end : ends.begin;
     if (at_on + shift < least || at_off + shift > -least) return 0;
@@ -413,8 +413,8 @@ class VolumeKeeper {
     if (keeping_.check) keeping_.check();
     const double start = piece.shift_mm;
     if (piece.faces.empty()) return start;
-    const double closest = keeping_.min_mm / 1000;
-    double low = -keeping_.farthest_mm, high = keeping_.farthest_mm, slope = 0;
+    const double closest = keeping_.min_distance_mm / 1000;
+    double low = -keeping_.max_shift_mm, high = keeping_.max_shift_mm, slope = 0;
     double excess = enclosed_mm3(piece) - piece.wanted_mm3;
     while (!is_near(piece, excess) && high - low > closest) {
       (excess < 0 ? low : high) = piece.shift_mm;

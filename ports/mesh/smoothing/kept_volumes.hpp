@@ -20,10 +20,10 @@ struct SmoothSurface {
 struct VolumeKeeping {
   /// The surface inside which a voxel lies, given as Crossings are: half-steps; none beyond all.
   std::function<std::size_t(const Vertex& voxel)> surface_of{};
-  double tolerance = 0;    ///< as MeshingOptions, of the meshes that enclose the volumes
-  double min_mm = 0;       ///< how near to a voxel the surface comes
-  double farthest_mm = 0;  ///< that a surface is moved
-  bool is_closed = true;   ///< otherwise nothing is moved to keep a volume
+  double tolerance = 0;        ///< as MeshingOptions, of the meshes that enclose the volumes
+  double min_distance_mm = 0;  ///< how near to a voxel the surface comes
+  double max_shift_mm = 0;     ///< that a surface is moved
+  bool is_closed = true;       ///< otherwise nothing is moved to keep a volume
   std::function<void()> check{};
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

@@ -29,8 +29,8 @@ VolumeKeeping SmoothedVolume::keeping(const SampleGrid& info, double deviation_m
                                       Border border) {
   VolumeKeeping keeping;
   keeping.tolerance = tolerance;
-  keeping.min_mm = min_distance_mm(info);
-  keeping.farthest_mm = 2 * limit_mm(info, deviation_mm);
+  keeping.min_distance_mm = min_distance_mm(info);
+  keeping.max_shift_mm = 2 * limit_mm(info, deviation_mm);
   keeping.is_closed = border == Border::closed;
   return keeping;
 }

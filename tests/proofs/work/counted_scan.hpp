@@ -65,7 +65,7 @@ class CountedScan {
     uint64_t events = 0, holes = 0, hole_runs = 0;
     bool is_in_hole = false;
     SinkResult accept(const Event& event) {
-      // A long side is kept in pieces (detail::trace::is_longest_side()).
+      // A long side is kept in pieces (detail::trace::is_full_side()).
       events += 1 + event.run.length() / 680;
       if (event.kind == Event::Kind::ring || event.kind == Event::Kind::fragment)
         holes += is_in_hole = event.hole;

@@ -29,7 +29,7 @@ struct StartedSliceEncoder : SliceEncoder {
 struct SlicePlan {
   uint32_t key_slice_interval = 0;
   uint32_t portion = 1000000;  ///< samples a push
-  size_t bytes_a_time = 0;     ///< that the line takes: see Line
+  size_t bytes_at_once = 0;    ///< that the line takes: see Line
   uint32_t flush_every = 0;    ///< rows between flushes; 0 never
   bool fails = false;          ///< the power, after each flush and before the end
   uint8_t surface_count = 1;   ///< all the same
@@ -72,7 +72,7 @@ template <class AnyEncoder, class Sample>
 Bytes encode_samples(AnyEncoder& encoder, const SliceEncoderConfig& config,
                      const std::vector<Sample>& samples, const SlicePlan& plan) {
   reference::Block block(AnyEncoder::minimum_bytes(config));
-  Line line(plan.bytes_a_time);
+  Line line(plan.bytes_at_once);
   reference::require_ok(encoder.start(config, block.memory(), line.output()));
   const uint32_t width = config.limits.width;
   const auto rows = static_cast<uint32_t>(samples.size() / width);

@@ -144,8 +144,8 @@ struct NormalEncoder : Encoder {
 
 template <class Encoding = Encoder>
 Bytes encode(const Events& events, const StreamHeader& header = any_header(),
-             size_t bytes_a_time = 0) {
-  Line line(bytes_a_time);
+             size_t bytes_at_once = 0) {
+  Line line(bytes_at_once);
   Encoding encoder;
   reference::require_ok(begin_stream(encoder, header, line.output()));
   take_all(encoder, events);

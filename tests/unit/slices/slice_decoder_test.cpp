@@ -42,7 +42,7 @@ class Code {
 
   Code& note(uint32_t told) {
     writer_.code_bit(surfaces_.note(), true);
-    writer_.number(detail::slices::note_bits, told);
+    writer_.even(detail::slices::note_bits, told);
     return *this;
   }
   Code& note(RowNote told) { return note(static_cast<uint32_t>(told)); }
@@ -82,7 +82,7 @@ class Code {
   Code& row_with_a_run_too_long() {
     writer_.code_bit(surfaces_.note(), false);
     writer_.code_bit(surfaces_[0].model[run_of_a_row], false);
-    writer_.number(6, size.width);
+    writer_.even(6, size.width);
     return *this;
   }
   Bytes end() { return note(RowNote::end).finish(); }

@@ -77,8 +77,8 @@ void tell_key_slice(Coder& coder, BitVolume& volume) {
 }
 
 struct Device {
-  explicit Device(const Limits& limits, uint32_t key_slice_interval = 0, size_t bytes_a_time = 0)
-      : memory(SliceEncoder::minimum_bytes({limits, {}, key_slice_interval})), line(bytes_a_time) {
+  explicit Device(const Limits& limits, uint32_t key_slice_interval = 0, size_t bytes_at_once = 0)
+      : memory(SliceEncoder::minimum_bytes({limits, {}, key_slice_interval})), line(bytes_at_once) {
     StreamHeader header;
     header.width = limits.width;
     header.height = limits.height;
@@ -234,8 +234,8 @@ TEST_CASE("a stride continues from row to row") {
 
 TEST_CASE("a skipped row is reported with its substitute") {
   const BitVolume volume = reference::random({33, 5, 4}, 128, 7);
-  for (const size_t bytes_a_time : {0U, 1U}) {
-    Device device({33, 5}, {3}, bytes_a_time);
+  for (const size_t bytes_at_once : {0U, 1U}) {
+    Device device({33, 5}, {3}, bytes_at_once);
     for (uint32_t row = 0; row < 20; ++row) {
       if (row % 3 == 2) {
         const Substitute substitute = row % 2 == 0 ? Substitute::off : Substitute::previous_row;
@@ -300,9 +300,9 @@ TEST_CASE("a slice counts as seen with its first row") {
 
 TEST_CASE("skipped rows fill packets like other rows") {
   const BitVolume volume = reference::random({3, 4000, 1}, 128, 12);
-  for (const size_t bytes_a_time : {0U, 100U, 1000U}) {
-    CAPTURE(bytes_a_time);
-    Device device({3, 4000}, {}, bytes_a_time);
+  for (const size_t bytes_at_once : {0U, 100U, 1000U}) {
+    CAPTURE(bytes_at_once);
+    Device device({3, 4000}, {}, bytes_at_once);
     for (uint32_t row = 0; row < 4000; ++row) {
       PushResult result{Status::suspended, 0};
       while (result.samples == 0)
@@ -378,8 +378,8 @@ TEST_CASE("a run longer than its row is refused") {
       code.code_bit(model[detail::slices::context::note], false);
       const uint32_t bits_of_width = width == 3 ? 2 : 3;
       code.code_bit(model[detail::slices::context::run + 2 * (bits_of_width - 1) + 1], false);
-      code.number(bits_of_width, length);
-      code.number(32, 0x5A5A5A5A);
+      code.even(bits_of_width, length);
+      code.even(32, 0x5A5A5A5A);
       packet.payload.resize(4 + code.range.finish());
       frames[1] = frame_of(packet);
       const ReceivedRows received = decode_slices(joined(frames), {width, 1, 1});
@@ -515,8 +515,8 @@ StreamHeader header_of_surfaces(const reference::Size& size,
 
 // Every fifth row is skipped where `skips`.
 Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, uint32_t key_slice_interval,
-                      bool skips = false, size_t bytes_a_time = 0) {
-  Line line(bytes_a_time);
+                      bool skips = false, size_t bytes_at_once = 0) {
+  Line line(bytes_at_once);
   StartedSliceEncoder encoder(header, line.output(), key_slice_interval);
   for (uint32_t row = 0; row < header.height * header.depth; ++row) {
     const uint8_t* const first = &samples[size_t{row} * header.width];

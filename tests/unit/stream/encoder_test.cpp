@@ -168,8 +168,8 @@ TEST_CASE("a flush on a slow line continues where it stopped") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     Bytes fast;
-    for (const size_t bytes_a_time : {0U, 1U, 5U}) {
-      Line line(bytes_a_time);
+    for (const size_t bytes_at_once : {0U, 1U, 5U}) {
+      Line line(bytes_at_once);
       Encoder encoder;
       REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
       size_t told = 0;
@@ -179,15 +179,15 @@ TEST_CASE("a flush on a slow line continues where it stopped") {
           while (encoder.flush() == Status::suspended) continue;
       }
       CHECK(decode(line.bytes).events == sample.events);
-      if (bytes_a_time == 0) fast = line.bytes;
+      if (bytes_at_once == 0) fast = line.bytes;
       CHECK(line.bytes == fast);
     }
   }
 }
 
 TEST_CASE("the trailer is written once even if the finish event is repeated") {
-  for (const size_t bytes_a_time : {0U, 1U}) {
-    Line line(bytes_a_time);
+  for (const size_t bytes_at_once : {0U, 1U}) {
+    Line line(bytes_at_once);
     Encoder encoder;
     REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
     const Events events = many_regions(3);

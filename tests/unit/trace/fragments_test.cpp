@@ -22,8 +22,8 @@ TEST_CASE("a side is cut if its ends are 4,080 places apart, in either order") {
   for (const detail::trace::Place from : {0U, 5U, 4100U, 8191U})
     for (detail::trace::Place distance = 0; distance < 4100; ++distance) {
       const detail::trace::Place to = (from + distance) % places;
-      if (detail::trace::is_longest_side(from, to) != (distance >= 4080)) FAIL(distance);
-      if (detail::trace::is_longest_side(to, from) != (distance >= 4080)) FAIL(distance);
+      if (detail::trace::is_full_side(from, to) != (distance >= 4080)) FAIL(distance);
+      if (detail::trace::is_full_side(to, from) != (distance >= 4080)) FAIL(distance);
     }
 }
 

@@ -100,5 +100,5 @@ TEST_CASE("each queue of a vertex has at most one incoming and one outgoing pass
                 passes.pass[i].in == passes.pass[j].in || passes.pass[i].out == passes.pass[j].out;
       }
   CHECK(recurrences == 0);
-  CHECK(most == detail::trace::PassList::most);
+  CHECK(most == detail::trace::PassList::max_passes);
 }

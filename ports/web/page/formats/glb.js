@@ -1,7 +1,7 @@
 // Meshes: binary glTF 2.0 as discmc writes it, each mesh under a node with a matrix. In metres with y
 // upwards; here millimetres with z upwards.
 import { bone, rgb } from '../palette.js';
-import { FileError, inMebibytes, mostBytes } from './volume_info.js';
+import { FileError, inMebibytes, maxBytes } from './volume_info.js';
 
 const magic = 0x46546c67, jsonChunk = 0x4e4f534a, binaryChunk = 0x004e4942;
 const arrays = { 5126: Float32Array, 5125: Uint32Array };
@@ -74,8 +74,8 @@ async function allOf(name, source) {
   for (let piece = await source.next(); piece; piece = await source.next()) {
     pieces.push(piece);
     size += piece.length;
-    if (size > mostBytes)
-      throw new FileError(name, `the page accepts at most ${inMebibytes(mostBytes)}`,
+    if (size > maxBytes)
+      throw new FileError(name, `the page accepts at most ${inMebibytes(maxBytes)}`,
         'make a smaller mesh with discmc extract --triangles');
   }
   return new Uint8Array(await new Blob(pieces).arrayBuffer());

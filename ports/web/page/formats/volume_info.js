@@ -36,8 +36,8 @@ export class FileError extends Error {
 }
 
 /** The largest volume of the page: beyond, a browser's memory may not hold the surface. */
-export const mostBytes = 2 ** 30;
-export const mostExtent = 16383;
+export const maxBytes = 2 ** 30;
+export const maxExtent = 16383;
 
 /**
  * Refuses what is too large before anything is allocated.
@@ -48,18 +48,18 @@ export function requireSize(file, info) {
   if (!info.dims.every((extent) => Number.isInteger(extent) && extent > 0))
     throw new FileError(file, `the header declares ${sizes} voxels`, 'correct the header');
   requireExtents(file, info.dims);
-  if (volumeBytes(info) > mostBytes)
+  if (volumeBytes(info) > maxBytes)
     throw new FileError(file,
       `${sizes} voxels are ${inMebibytes(volumeBytes(info))}; the page accepts at most ` +
-        inMebibytes(mostBytes),
+        inMebibytes(maxBytes),
       'make a smaller stream with discmc extract --shrink 2 -o FILE.dmc, and open that');
 }
 
 /** @param {string} file @param {number[]} dims voxels */
 export function requireExtents(file, dims) {
-  if (Math.max(...dims) > mostExtent)
+  if (Math.max(...dims) > maxExtent)
     throw new FileError(file,
-      `${dims.join(' x ')} voxels; the page accepts at most ${mostExtent} along an axis`,
+      `${dims.join(' x ')} voxels; the page accepts at most ${maxExtent} along an axis`,
       'extract a part with discmc extract --crop -o FILE.dmc, and open that');
 }
 

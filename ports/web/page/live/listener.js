@@ -1,6 +1,6 @@
 // Shows a stream while it arrives.
 
-const leastPause = 300; // milliseconds from picture to picture
+const minPause = 300; // milliseconds from picture to picture
 
 export class Listener {
   /**
@@ -57,7 +57,7 @@ export class Listener {
       if (this.turn !== turn || begin < this.next) continue;
       const arrived = await this.arrived(false);
       if (this.turn === turn) show(arrived, false);
-      this.next = performance.now() + Math.max(leastPause, performance.now() - begin);
+      this.next = performance.now() + Math.max(minPause, performance.now() - begin);
     }
   }
 

@@ -1,6 +1,6 @@
 // A recorded stream as a device would send it: at the pace of its link, and with losses.
 
-const leastWait = 50; // milliseconds
+const minWait = 50; // milliseconds
 
 /** @param {number} milliseconds @param {AbortSignal} stop */
 const pause = (milliseconds, stop) => new Promise((resolve) => {
@@ -37,7 +37,7 @@ export async function* replayed(bytes, baud, lostShare, stop, chance = Math.rand
   for (const [i, frame] of framesOf(bytes).entries()) {
     due += frame.length;
     const wait = begin + (due * 10000) / baud - performance.now();
-    if (wait > leastWait) await pause(wait, stop);
+    if (wait > minWait) await pause(wait, stop);
     if (stop.aborted) return;
     if (i === 0 || chance() >= lostShare) yield frame;
   }

@@ -3,7 +3,7 @@ import { by, number, on, whole } from '../elements.js';
 import { Newest } from '../engine.js';
 import { fail } from '../messages.js';
 
-const mostBytes = 1 << 20;
+const maxBytes = 1 << 20;
 const bitsPerByte = 10; // with the start and the stop bit
 
 export class DevicePanel {
@@ -17,7 +17,7 @@ export class DevicePanel {
 
   /** Units: bytes. In equal ratios along the slider. */
   memory() {
-    const ratio = Math.max(mostBytes, 4 * this.least) / this.least;
+    const ratio = Math.max(maxBytes, 4 * this.least) / this.least;
     return Math.round(this.least * ratio ** Number(by('memory').value));
   }
 
