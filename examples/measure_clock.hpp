@@ -1,6 +1,5 @@
 // A counter of processor cycles, for measure.cpp.
-#ifndef DISCMC_EXAMPLES_MEASURE_CLOCK_HPP
-#define DISCMC_EXAMPLES_MEASURE_CLOCK_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -61,5 +60,3 @@ inline uint32_t since(uint32_t before) {
 #endif
 
 }  // namespace measure_clock
-
-#endif

@@ -1,6 +1,5 @@
 // The bytes of a fuzzer's input, read as numbers.
-#ifndef DISCMC_FUZZ_INPUT_HPP
-#define DISCMC_FUZZ_INPUT_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -40,5 +39,3 @@ class Input {
   size_t size_;
   size_t at_ = 0;
 };
-
-#endif

@@ -1,6 +1,5 @@
 // Capacities from the least to some more, which small volumes sometimes exceed.
-#ifndef DISCMC_FUZZ_LITTLE_MEMORY_HPP
-#define DISCMC_FUZZ_LITTLE_MEMORY_HPP
+#pragma once
 
 #include <discmc/capacities.hpp>
 
@@ -11,5 +10,3 @@ inline discmc::Capacities read_little_memory(Input& input) {
   const uint32_t more = input.below(4) * 256;
   return {discmc::minimum_capacities().slots + slots + more, input.below(32)};
 }
-
-#endif

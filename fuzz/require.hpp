@@ -1,6 +1,5 @@
 // How a fuzz target reports a violation.
-#ifndef DISCMC_FUZZ_REQUIRE_HPP
-#define DISCMC_FUZZ_REQUIRE_HPP
+#pragma once
 
 #include <cstdio>
 #include <cstdlib>
@@ -11,5 +10,3 @@ inline void require(bool holds, const char* broken) {
   std::fprintf(stderr, "broken: %s\n", broken);
   std::abort();
 }
-
-#endif

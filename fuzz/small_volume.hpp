@@ -1,6 +1,5 @@
 // Volumes of few voxels, so that there are many of them.
-#ifndef DISCMC_FUZZ_SMALL_VOLUME_HPP
-#define DISCMC_FUZZ_SMALL_VOLUME_HPP
+#pragma once
 
 #include <algorithm>
 
@@ -22,5 +21,3 @@ inline discmc::reference::BitVolume read_small_volume(Input& input,
   }
   return volume;
 }
-
-#endif

@@ -4,8 +4,7 @@
 // from its interrupt. The application empties the rows in its main loop, and gives the stream to
 // the UART. The application calls `board`; the board's interrupts call `rows`. docs/porting.md is
 // the guide.
-#ifndef DISCMC_BOARDS_BOARD_HPP
-#define DISCMC_BOARDS_BOARD_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -47,5 +46,3 @@ void row_is_full(uint32_t number);
 void end_of_scan(uint32_t count, bool broken_off);
 
 }  // namespace rows
-
-#endif

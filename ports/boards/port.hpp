@@ -1,7 +1,6 @@
 // The interfaces between the parts of a port: the processor, the UART's driver, the source of rows
 // and, if there is one, the debugger. The application uses only board.hpp.
-#ifndef DISCMC_BOARDS_PORT_HPP
-#define DISCMC_BOARDS_PORT_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -62,5 +61,3 @@ template <class Width = uint32_t>
 volatile Width& register_at(uintptr_t address) {
   return *reinterpret_cast<volatile Width*>(address);
 }
-
-#endif

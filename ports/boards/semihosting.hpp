@@ -2,8 +2,7 @@
 //
 // Without either a request is a fault. A port to a board that has to run alone replaces what uses
 // this: board.cpp, and the file as the source of rows.
-#ifndef DISCMC_BOARDS_SEMIHOSTING_HPP
-#define DISCMC_BOARDS_SEMIHOSTING_HPP
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -21,5 +20,3 @@ size_t read(intptr_t file, void* bytes, size_t count);
 [[noreturn]] void exit(int code);
 
 }  // namespace semihosting
-
-#endif

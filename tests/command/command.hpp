@@ -1,6 +1,5 @@
 // Runs the built command in a folder of its own, and reads back the meshes that it writes.
-#ifndef DISCMC_TESTS_COMMAND_COMMAND_HPP
-#define DISCMC_TESTS_COMMAND_COMMAND_HPP
+#pragma once
 
 #include <sys/wait.h>
 
@@ -277,5 +276,3 @@ inline void check_failure(const Result& result, int code, const std::vector<std:
 }
 
 }  // namespace command_tests
-
-#endif

@@ -1,7 +1,6 @@
 // Folders of real volumes. Beside each volume is a JSON file of the same name that gives "file"
 // and "iso", a list of thresholds on stored samples.
-#ifndef DISCMC_TESTS_COMMAND_DESCRIBED_VOLUMES_HPP
-#define DISCMC_TESTS_COMMAND_DESCRIBED_VOLUMES_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -52,5 +51,3 @@ inline std::vector<DescribedVolume> described_volumes(const std::filesystem::pat
 }
 
 }  // namespace discmc::command
-
-#endif

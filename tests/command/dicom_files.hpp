@@ -1,7 +1,6 @@
 // DICOM files of a few elements, for tests: written here, byte by byte as the standard has them
 // (PS3.5 and PS3.10).
-#ifndef DISCMC_TESTS_COMMAND_DICOM_FILES_HPP
-#define DISCMC_TESTS_COMMAND_DICOM_FILES_HPP
+#pragma once
 
 #include <cstdio>
 
@@ -251,5 +250,3 @@ inline void check_places(const volume_files::VolumeInfo& info, const std::array<
 }
 
 }  // namespace dicom_files
-
-#endif

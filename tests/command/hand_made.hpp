@@ -1,6 +1,5 @@
 // Small surfaces made by hand for the tests of the command's meshes, files and pictures.
-#ifndef DISCMC_TESTS_COMMAND_HAND_MADE_HPP
-#define DISCMC_TESTS_COMMAND_HAND_MADE_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -211,5 +210,3 @@ inline Surface saw(int count) {
 }
 
 }  // namespace hand_made
-
-#endif

@@ -1,7 +1,6 @@
 // Masks of small shapes, on which smoothing is measured: balls, rods, sheets, necks, tunnels,
 // shells.
-#ifndef DISCMC_TESTS_COMMAND_MASK_SHAPES_HPP
-#define DISCMC_TESTS_COMMAND_MASK_SHAPES_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -175,5 +174,3 @@ inline std::vector<Shape> all() {
 }
 
 }  // namespace mask_shapes
-
-#endif

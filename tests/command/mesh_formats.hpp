@@ -1,7 +1,6 @@
 // Meshes from GLB, 3MF and VTP files, read with libraries for their JSON, XML and ZIP. What a file
 // must have and lacks fails the test.
-#ifndef DISCMC_TESTS_COMMAND_MESH_FORMATS_HPP
-#define DISCMC_TESTS_COMMAND_MESH_FORMATS_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -22,5 +21,3 @@ discmc::command::FileMesh mesh_of_3mf(const std::string& bytes);
 discmc::command::FileMesh mesh_of_vtp(const std::string& bytes);
 
 }  // namespace command_tests
-
-#endif

@@ -1,6 +1,5 @@
 // How far the normals of a mesh are from those in double precision.
-#ifndef DISCMC_TESTS_COMMAND_NORMAL_ANGLES_HPP
-#define DISCMC_TESTS_COMMAND_NORMAL_ANGLES_HPP
+#pragma once
 
 #include <array>
 #include <cmath>
@@ -78,5 +77,3 @@ inline Angles compare_with_radii(const FaceMesh& mesh, std::uint32_t extent) {
 }
 
 }  // namespace normal_angles
-
-#endif

@@ -1,6 +1,5 @@
 // Volumes from memory as the command reads them, and the meshes of their surfaces.
-#ifndef DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
-#define DISCMC_TESTS_COMMAND_SAMPLE_READER_HPP
+#pragma once
 
 #include <cstdint>
 #include <utility>
@@ -80,5 +79,3 @@ inline void put_box(BitVolume& volume, const discmc::Vertex& first, const discmc
 }
 
 }  // namespace sample_reader
-
-#endif

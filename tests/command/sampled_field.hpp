@@ -1,6 +1,5 @@
 // Volumes by a formula, and their surfaces, interpolated.
-#ifndef DISCMC_TESTS_COMMAND_SAMPLED_FIELD_HPP
-#define DISCMC_TESTS_COMMAND_SAMPLED_FIELD_HPP
+#pragma once
 
 #include <cmath>
 #include <cstdint>
@@ -90,5 +89,3 @@ inline FaceMesh classic(const Field& field) {
 }
 
 }  // namespace sampled_field
-
-#endif

@@ -1,6 +1,5 @@
 // Writes TIFF files tag by tag, for the tests of their reader.
-#ifndef DISCMC_TESTS_COMMAND_TIFF_WRITER_HPP
-#define DISCMC_TESTS_COMMAND_TIFF_WRITER_HPP
+#pragma once
 
 #include <cstdint>
 #include <map>
@@ -101,5 +100,3 @@ class TiffWriter {
 };
 
 }  // namespace tiff_writer
-
-#endif

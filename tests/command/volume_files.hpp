@@ -1,7 +1,6 @@
 // Small volumes as files of every format, and how to read and refuse them, for the tests of the
 // readers.
-#ifndef DISCMC_TESTS_COMMAND_VOLUME_FILES_HPP
-#define DISCMC_TESTS_COMMAND_VOLUME_FILES_HPP
+#pragma once
 
 #include <zlib.h>
 
@@ -279,5 +278,3 @@ inline bool noted(const VolumeInfo& info, const std::string& part) {
 }
 
 }  // namespace volume_files
-
-#endif

@@ -1,6 +1,5 @@
 // Arrays of samples for the tests of the mesh library, and meshes as sets of triangles.
-#ifndef DISCMC_TESTS_MESH_SAMPLED_SHAPES_HPP
-#define DISCMC_TESTS_MESH_SAMPLED_SHAPES_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -123,5 +122,3 @@ inline double signed_volume(const discmc::Mesh& mesh) {
 }
 
 }  // namespace mesh_tests
-
-#endif

@@ -1,6 +1,5 @@
 // Files of the project as text, for tests of their contents.
-#ifndef DISCMC_TESTS_PROJECT_TEXT_HPP
-#define DISCMC_TESTS_PROJECT_TEXT_HPP
+#pragma once
 
 #include <doctest/doctest.h>
 
@@ -21,5 +20,3 @@ inline std::string text_of(const std::filesystem::path& path) {
 }
 
 }  // namespace discmc::test
-
-#endif

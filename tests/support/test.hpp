@@ -1,6 +1,5 @@
 // What nearly every test includes: doctest, and these headers of the standard library.
-#ifndef DISCMC_TESTS_SUPPORT_TEST_HPP
-#define DISCMC_TESTS_SUPPORT_TEST_HPP
+#pragma once
 
 #include <doctest/doctest.h>
 
@@ -19,5 +18,3 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#endif

@@ -1,6 +1,5 @@
 // The frames that bring rows over a UART. README.md is the protocol.
-#ifndef DISCMC_BOARDS_ROWS_ROW_FRAME_HPP
-#define DISCMC_BOARDS_ROWS_ROW_FRAME_HPP
+#pragma once
 
 #include <discmc/stream/cobs.hpp>
 #include <discmc/stream/crc32.hpp>
@@ -100,5 +99,3 @@ class Reader {
 };
 
 }  // namespace row_frame
-
-#endif

@@ -1,6 +1,5 @@
 // Rows from the bytes of a line: what a receive interrupt calls. README.md is the protocol.
-#ifndef DISCMC_BOARDS_ROWS_ROW_RECEIVER_HPP
-#define DISCMC_BOARDS_ROWS_ROW_RECEIVER_HPP
+#pragma once
 
 #include "row_frame.hpp"
 
@@ -100,5 +99,3 @@ class RowReceiver {
   bool had_room_ = true;
   bool is_scanning_ = false;
 };
-
-#endif

@@ -1,6 +1,5 @@
 // What a device throws that went away while it was in use.
-#ifndef DISCMC_LINUX_COMMON_DEVICE_GONE_HPP
-#define DISCMC_LINUX_COMMON_DEVICE_GONE_HPP
+#pragma once
 
 #include <stdexcept>
 
@@ -12,5 +11,3 @@ class DeviceGone : public std::runtime_error {
 };
 
 }  // namespace discmc::device
-
-#endif

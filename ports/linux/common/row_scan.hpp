@@ -1,6 +1,5 @@
 // A scan whose rows come one at a time from a device, and whose surface leaves as a stream.
-#ifndef DISCMC_LINUX_COMMON_ROW_SCAN_HPP
-#define DISCMC_LINUX_COMMON_ROW_SCAN_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -79,5 +78,3 @@ class RowScan {
 };
 
 }  // namespace discmc::device
-
-#endif

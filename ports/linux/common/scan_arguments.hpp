@@ -1,6 +1,5 @@
 // The arguments that every scanning command takes, and its exit codes.
-#ifndef DISCMC_LINUX_COMMON_SCAN_ARGUMENTS_HPP
-#define DISCMC_LINUX_COMMON_SCAN_ARGUMENTS_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -33,5 +32,3 @@ void add_scan_options(CLI::App& command, ScanArguments& arguments);
 int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& run);
 
 }  // namespace discmc::device
-
-#endif

@@ -1,6 +1,5 @@
 // The wish to end: Ctrl-C, or a SIGTERM. A scan then ends in order, and its stream is valid.
-#ifndef DISCMC_LINUX_COMMON_STOP_SIGNAL_HPP
-#define DISCMC_LINUX_COMMON_STOP_SIGNAL_HPP
+#pragma once
 
 namespace discmc::device::stop_signal {
 
@@ -10,5 +9,3 @@ void watch();
 bool came();
 
 }  // namespace discmc::device::stop_signal
-
-#endif

@@ -1,6 +1,5 @@
 // Where the stream of a device goes: a file that grows while the scan runs, or standard output.
-#ifndef DISCMC_LINUX_COMMON_STREAM_TARGET_HPP
-#define DISCMC_LINUX_COMMON_STREAM_TARGET_HPP
+#pragma once
 
 #include <discmc/encoder.hpp>
 #include <fstream>
@@ -29,5 +28,3 @@ class StreamTarget {
 };
 
 }  // namespace discmc::device
-
-#endif

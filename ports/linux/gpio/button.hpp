@@ -1,6 +1,5 @@
 // A button that bounces: its presses, and how long they are.
-#ifndef DISCMC_LINUX_GPIO_BUTTON_HPP
-#define DISCMC_LINUX_GPIO_BUTTON_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -34,5 +33,3 @@ class Button {
 };
 
 }  // namespace discmc::device
-
-#endif

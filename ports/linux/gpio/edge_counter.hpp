@@ -5,8 +5,7 @@
 // since the last edge is divided by the period of the edges before it. The answer is right while
 // the stage keeps its pace to half a period over the gap. Other long intervals are no loss but a
 // stage that stood still; they are only counted.
-#ifndef DISCMC_LINUX_GPIO_EDGE_COUNTER_HPP
-#define DISCMC_LINUX_GPIO_EDGE_COUNTER_HPP
+#pragma once
 
 #include <cstdint>
 #include <deque>
@@ -38,5 +37,3 @@ class EdgeCounter {
 };
 
 }  // namespace discmc::device
-
-#endif

@@ -2,8 +2,7 @@
 //
 // libgpiod has two interfaces that have nothing in common. Each has a file of its own behind this
 // one, line_events_v1.cpp and line_events_v2.cpp; CMake compiles the one that fits.
-#ifndef DISCMC_LINUX_GPIO_LINE_EVENTS_HPP
-#define DISCMC_LINUX_GPIO_LINE_EVENTS_HPP
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -60,5 +59,3 @@ class LineEvents {
 };
 
 }  // namespace discmc::device
-
-#endif

@@ -1,6 +1,5 @@
 // The source of the samples of a row, after its edge.
-#ifndef DISCMC_LINUX_GPIO_ROW_SOURCE_HPP
-#define DISCMC_LINUX_GPIO_ROW_SOURCE_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -35,5 +34,3 @@ std::unique_ptr<RowSource> simulated_rows(const std::array<std::uint32_t, 3>& di
                                           meshing::SampleType type);
 
 }  // namespace discmc::device
-
-#endif

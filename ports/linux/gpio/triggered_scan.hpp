@@ -1,6 +1,5 @@
 // The scan that the lines of a stage drive: which edge is which row, and when the scan runs.
-#ifndef DISCMC_LINUX_GPIO_TRIGGERED_SCAN_HPP
-#define DISCMC_LINUX_GPIO_TRIGGERED_SCAN_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -61,5 +60,3 @@ class TriggeredScan {
 };
 
 }  // namespace discmc::device
-
-#endif

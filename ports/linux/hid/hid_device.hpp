@@ -1,6 +1,5 @@
 // A scanner's HID device, by hidapi.
-#ifndef DISCMC_LINUX_HID_HID_DEVICE_HPP
-#define DISCMC_LINUX_HID_HID_DEVICE_HPP
+#pragma once
 
 #include <hidapi.h>
 
@@ -41,5 +40,3 @@ class HidDevice {
 };
 
 }  // namespace discmc::device
-
-#endif

@@ -1,6 +1,5 @@
 // The reports between a scanner and this computer. README.md is the protocol.
-#ifndef DISCMC_LINUX_HID_REPORT_HPP
-#define DISCMC_LINUX_HID_REPORT_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -61,5 +60,3 @@ struct Report {
 };
 
 }  // namespace discmc::device
-
-#endif

@@ -1,6 +1,5 @@
 // Rows from the reports of a scanner: lost and repeated ones are noticed.
-#ifndef DISCMC_LINUX_HID_ROW_ASSEMBLER_HPP
-#define DISCMC_LINUX_HID_ROW_ASSEMBLER_HPP
+#pragma once
 
 #include <cstdint>
 #include <ostream>
@@ -57,5 +56,3 @@ class RowAssembler {
 };
 
 }  // namespace discmc::device
-
-#endif

@@ -1,6 +1,5 @@
 // The surface stream cut into reports for the scanner.
-#ifndef DISCMC_LINUX_HID_STREAM_REPORTS_HPP
-#define DISCMC_LINUX_HID_STREAM_REPORTS_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -46,5 +45,3 @@ class StreamReports {
 };
 
 }  // namespace discmc::device
-
-#endif

@@ -1,6 +1,5 @@
 // The receiver of a device's streams.
-#ifndef DISCMC_PYTHON_DECODER_HPP
-#define DISCMC_PYTHON_DECODER_HPP
+#pragma once
 
 #include <pybind11/pybind11.h>
 
@@ -9,5 +8,3 @@ namespace discmc::python {
 void add_decoder(pybind11::module_& module);
 
 }  // namespace discmc::python
-
-#endif

@@ -1,6 +1,5 @@
 // Meshes of arrays.
-#ifndef DISCMC_PYTHON_EXTRACTION_HPP
-#define DISCMC_PYTHON_EXTRACTION_HPP
+#pragma once
 
 #include <pybind11/pybind11.h>
 
@@ -9,5 +8,3 @@ namespace discmc::python {
 void add_extraction(pybind11::module_& module);
 
 }  // namespace discmc::python
-
-#endif

@@ -1,6 +1,5 @@
 // A mesh whose arrays NumPy sees without copies.
-#ifndef DISCMC_PYTHON_MESH_CLASS_HPP
-#define DISCMC_PYTHON_MESH_CLASS_HPP
+#pragma once
 
 #include <memory>
 #include <utility>
@@ -23,5 +22,3 @@ inline SharedMesh shared(Mesh&& mesh) {
 void add_mesh(py::module_& module);
 
 }  // namespace discmc::python
-
-#endif

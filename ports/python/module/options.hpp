@@ -1,6 +1,5 @@
 // The options of an extraction.
-#ifndef DISCMC_PYTHON_OPTIONS_HPP
-#define DISCMC_PYTHON_OPTIONS_HPP
+#pragma once
 
 #include <discmc/mesh.hpp>
 
@@ -18,5 +17,3 @@ struct Options {
 void add_options(py::module_& module);
 
 }  // namespace discmc::python
-
-#endif

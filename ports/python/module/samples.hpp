@@ -1,6 +1,5 @@
 // Arrays of NumPy as the library takes them.
-#ifndef DISCMC_PYTHON_SAMPLES_HPP
-#define DISCMC_PYTHON_SAMPLES_HPP
+#pragma once
 
 #include <discmc/mesh.hpp>
 
@@ -21,5 +20,3 @@ Samples samples_of(const py::array& volume);
 void require_contiguous(const py::array& array);
 
 }  // namespace discmc::python
-
-#endif

@@ -1,6 +1,5 @@
 // The values that marching_cubes() of scikit-image returns beside the vertices.
-#ifndef DISCMC_PYTHON_VERTEX_VALUES_HPP
-#define DISCMC_PYTHON_VERTEX_VALUES_HPP
+#pragma once
 
 #include <pybind11/pybind11.h>
 
@@ -9,5 +8,3 @@ namespace discmc::python {
 void add_vertex_values(pybind11::module_& module);
 
 }  // namespace discmc::python
-
-#endif

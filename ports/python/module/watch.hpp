@@ -1,6 +1,5 @@
 // A call of the library that the interpreter watches.
-#ifndef DISCMC_PYTHON_WATCH_HPP
-#define DISCMC_PYTHON_WATCH_HPP
+#pragma once
 
 #include <atomic>
 #include <condition_variable>
@@ -78,5 +77,3 @@ class Watch {
 };
 
 }  // namespace discmc::python
-
-#endif

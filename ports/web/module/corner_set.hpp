@@ -1,6 +1,5 @@
 // Which vertices of the lattice are corners of polygons.
-#ifndef DISCMC_WEB_CORNER_SET_HPP
-#define DISCMC_WEB_CORNER_SET_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -53,5 +52,3 @@ class CornerSet {
 };
 
 }  // namespace discmc::web
-
-#endif

@@ -1,6 +1,5 @@
 // The same scan on a device: the bytes that leave it, given so much memory.
-#ifndef DISCMC_WEB_DEVICE_SCAN_HPP
-#define DISCMC_WEB_DEVICE_SCAN_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -28,5 +27,3 @@ DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::
 DeviceScan scan_slices(const VoxelBits& bits, const StreamHeader& header);
 
 }  // namespace discmc::web
-
-#endif

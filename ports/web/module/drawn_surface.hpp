@@ -1,6 +1,5 @@
 // A surface as graphics cards take it: triangles of the merged polygons, and their edges.
-#ifndef DISCMC_WEB_DRAWN_SURFACE_HPP
-#define DISCMC_WEB_DRAWN_SURFACE_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -66,5 +65,3 @@ class DrawnSurface {
 };
 
 }  // namespace discmc::web
-
-#endif

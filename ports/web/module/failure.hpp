@@ -1,6 +1,5 @@
 // What is thrown here the page catches: there is no unwinding in the module.
-#ifndef DISCMC_WEB_FAILURE_HPP
-#define DISCMC_WEB_FAILURE_HPP
+#pragma once
 
 namespace discmc::web {
 
@@ -14,5 +13,3 @@ bool succeeds(Call call) {
 }
 
 }  // namespace discmc::web
-
-#endif

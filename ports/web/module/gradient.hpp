@@ -1,6 +1,5 @@
 // Normals of a drawn surface, from the samples.
-#ifndef DISCMC_WEB_GRADIENT_HPP
-#define DISCMC_WEB_GRADIENT_HPP
+#pragma once
 
 #include <vector>
 
@@ -17,5 +16,3 @@ std::vector<OctahedralNormal> gradient_normals(const std::vector<DrawnVertex>& v
                                                const MemoryVolume& volume, double iso);
 
 }  // namespace discmc::web
-
-#endif

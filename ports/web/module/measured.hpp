@@ -1,6 +1,5 @@
 // What values a volume has, and thresholds to try.
-#ifndef DISCMC_WEB_MEASURED_HPP
-#define DISCMC_WEB_MEASURED_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -24,5 +23,3 @@ struct Measured {
 Measured measured(const MemoryVolume& volume);
 
 }  // namespace discmc::web
-
-#endif

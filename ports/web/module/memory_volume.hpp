@@ -1,6 +1,5 @@
 // A volume whose samples are all in memory, as a page has it.
-#ifndef DISCMC_WEB_MEMORY_VOLUME_HPP
-#define DISCMC_WEB_MEMORY_VOLUME_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -46,5 +45,3 @@ class MemoryReader final : public command::VolumeReader {
 };
 
 }  // namespace discmc::web
-
-#endif

@@ -1,6 +1,5 @@
 // The missing places of a surface, as lines and as slices.
-#ifndef DISCMC_WEB_MISSING_HPP
-#define DISCMC_WEB_MISSING_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -59,5 +58,3 @@ class Missing {
 };
 
 }  // namespace discmc::web
-
-#endif

@@ -1,6 +1,5 @@
 // The surface of a stream, with its vertices off the middles between voxels.
-#ifndef DISCMC_WEB_STREAM_MESH_HPP
-#define DISCMC_WEB_STREAM_MESH_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -33,5 +32,3 @@ class StreamMesh {
 };
 
 }  // namespace discmc::web
-
-#endif

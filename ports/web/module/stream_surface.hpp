@@ -1,6 +1,5 @@
 // The surface of a stream (.dmc), whatever of it arrived.
-#ifndef DISCMC_WEB_STREAM_SURFACE_HPP
-#define DISCMC_WEB_STREAM_SURFACE_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -52,5 +51,3 @@ class StreamSurface {
 };
 
 }  // namespace discmc::web
-
-#endif

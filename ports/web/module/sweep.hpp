@@ -1,6 +1,5 @@
 // Polygons from bits, as often as the threshold changes.
-#ifndef DISCMC_WEB_SWEEP_HPP
-#define DISCMC_WEB_SWEEP_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -25,5 +24,3 @@ class Sweep {
 };
 
 }  // namespace discmc::web
-
-#endif

@@ -1,6 +1,5 @@
 // Triangulations that are remembered: most polygons of a surface have few corners, and few shapes.
-#ifndef DISCMC_WEB_TRIANGLE_STORE_HPP
-#define DISCMC_WEB_TRIANGLE_STORE_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -48,5 +47,3 @@ class TriangleStore {
 };
 
 }  // namespace discmc::web
-
-#endif

@@ -1,6 +1,5 @@
 // Which voxels of a volume are on, all of them.
-#ifndef DISCMC_WEB_VOXEL_BITS_HPP
-#define DISCMC_WEB_VOXEL_BITS_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -33,5 +32,3 @@ class VoxelBits {
 };
 
 }  // namespace discmc::web
-
-#endif

@@ -1,6 +1,5 @@
 // The ways to make a surface that are compared.
-#ifndef DISCMC_TESTS_BENCH_COMPARISON_CONTENDERS_HPP
-#define DISCMC_TESTS_BENCH_COMPARISON_CONTENDERS_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -54,5 +53,3 @@ void settle();
 std::string versions();
 
 }  // namespace discmc::bench
-
-#endif

@@ -1,6 +1,5 @@
 // Times contenders in turns.
-#ifndef DISCMC_TESTS_BENCH_COMPARISON_MEASURE_HPP
-#define DISCMC_TESTS_BENCH_COMPARISON_MEASURE_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -31,5 +30,3 @@ struct Measurement {
 std::vector<Result> measure(const std::vector<Contender>& contenders);
 
 }  // namespace discmc::bench
-
-#endif

@@ -1,6 +1,5 @@
 // What was measured, as tables in Markdown.
-#ifndef DISCMC_TESTS_BENCH_COMPARISON_REPORT_HPP
-#define DISCMC_TESTS_BENCH_COMPARISON_REPORT_HPP
+#pragma once
 
 #include <vector>
 
@@ -22,5 +21,3 @@ void print_surfaces(const std::vector<Measurement>& measurements);
 void print_empty(const std::vector<Measurement>& measurements);
 
 }  // namespace discmc::bench
-
-#endif

@@ -1,6 +1,5 @@
 // The volumes that are benchmarked: generated ones, and those of a folder.
-#ifndef DISCMC_TESTS_BENCH_COMPARISON_VOLUME_HPP
-#define DISCMC_TESTS_BENCH_COMPARISON_VOLUME_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -63,5 +62,3 @@ uint64_t active_cells(const Volume& volume);
 std::vector<Volume> volumes_in(const std::filesystem::path& folder);
 
 }  // namespace discmc::bench
-
-#endif

@@ -1,6 +1,5 @@
 // What the tests of the device ports share: a volume in rows, and its stream without any device.
-#ifndef DISCMC_TESTS_LINUX_SCAN_HPP
-#define DISCMC_TESTS_LINUX_SCAN_HPP
+#pragma once
 
 #include <common/row_scan.hpp>
 #include <gpio/row_source.hpp>
@@ -55,5 +54,3 @@ struct Recording {
 };
 
 }  // namespace discmc::test
-
-#endif

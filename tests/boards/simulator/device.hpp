@@ -1,6 +1,5 @@
 // The device and the lines to it: QEMU, started here, or whatever is at the other end.
-#ifndef DISCMC_TESTS_SIMULATOR_DEVICE_HPP
-#define DISCMC_TESTS_SIMULATOR_DEVICE_HPP
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -45,5 +44,3 @@ class Device {
 };
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // A line of bytes to a device: what a UART is at the host's end.
-#ifndef DISCMC_TESTS_SIMULATOR_LINE_HPP
-#define DISCMC_TESTS_SIMULATOR_LINE_HPP
+#pragma once
 
 #include <chrono>
 #include <cstddef>
@@ -48,5 +47,3 @@ class Line {
 };
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // How fast the stream is read: a receiver that is slow, or stalls, fills the device's UART.
-#ifndef DISCMC_TESTS_SIMULATOR_LISTENER_HPP
-#define DISCMC_TESTS_SIMULATOR_LISTENER_HPP
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -60,5 +59,3 @@ class Listener {
 };
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // The options of the command line.
-#ifndef DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
-#define DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -37,5 +36,3 @@ struct Options {
 void add_options(CLI::App& app, Options& options);
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // Firmware in QEMU, on a board with UARTs to spare.
-#ifndef DISCMC_TESTS_SIMULATOR_QEMU_HPP
-#define DISCMC_TESTS_SIMULATOR_QEMU_HPP
+#pragma once
 
 #include <sys/types.h>
 
@@ -32,5 +31,3 @@ class Qemu {
 };
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // What the device sends: streams, decoded while they come.
-#ifndef DISCMC_TESTS_SIMULATOR_RECEIVED_HPP
-#define DISCMC_TESTS_SIMULATOR_RECEIVED_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/decoder.hpp>
@@ -55,5 +54,3 @@ class Received {
 };
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // What the device should have made of the rows: the same extraction, in this process.
-#ifndef DISCMC_TESTS_SIMULATOR_REFERENCE_HPP
-#define DISCMC_TESTS_SIMULATOR_REFERENCE_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/extractor.hpp>
@@ -25,5 +24,3 @@ struct ReferenceScan {
 std::vector<std::uint8_t> reference_stream(const Rows& rows, const ReferenceScan& scan);
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // The rows of a volume, all at hand, as a scanner that repeats its scan after a reset needs them.
-#ifndef DISCMC_TESTS_SIMULATOR_ROWS_HPP
-#define DISCMC_TESTS_SIMULATOR_ROWS_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -26,5 +25,3 @@ class Rows {
 };
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // The scanner: which frame it sends, and when.
-#ifndef DISCMC_TESTS_SIMULATOR_SCANNER_HPP
-#define DISCMC_TESTS_SIMULATOR_SCANNER_HPP
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -79,5 +78,3 @@ class Scanner {
 };
 
 }  // namespace discmc::simulator
-
-#endif

@@ -1,6 +1,5 @@
 // A scan from the first row to the last byte of the stream: the scanner, the listener, their lines.
-#ifndef DISCMC_TESTS_SIMULATOR_SIMULATION_HPP
-#define DISCMC_TESTS_SIMULATOR_SIMULATION_HPP
+#pragma once
 
 #include <csignal>
 
@@ -60,5 +59,3 @@ class Simulation {
 };
 
 }  // namespace discmc::simulator
-
-#endif

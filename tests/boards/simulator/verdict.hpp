@@ -1,6 +1,5 @@
 // Whether what came is what the rows that were sent should have made.
-#ifndef DISCMC_TESTS_SIMULATOR_VERDICT_HPP
-#define DISCMC_TESTS_SIMULATOR_VERDICT_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -22,5 +21,3 @@ std::vector<std::string> mistakes(const Rows& rows, const Options& options,
 std::size_t overruns(const ScannerBehaviour& scanner, const ReceivedStream& stream);
 
 }  // namespace discmc::simulator
-
-#endif

@@ -3,8 +3,7 @@
 // Rows are the digits of a number. Before each row the extractor, its memory, the sink and the
 // reference are saved; the next value of the row begins from there. Every block is thus a whole
 // scan, but blocks with the same first rows share their work.
-#ifndef DISCMC_TESTS_BLOCKS_BLOCK_PROVER_HPP
-#define DISCMC_TESTS_BLOCKS_BLOCK_PROVER_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -83,5 +82,3 @@ class BlockProver {
 };
 
 }  // namespace discmc::prove
-
-#endif

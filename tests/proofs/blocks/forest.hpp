@@ -3,8 +3,7 @@
 // It is fast because the facets of a cell are tabulated by configuration, and because cells can be
 // removed, last in first out. Blocks with the same first cells share their work. The forest uses
 // the facets of cells, but no sectors, passes or queues.
-#ifndef DISCMC_TESTS_BLOCKS_FOREST_HPP
-#define DISCMC_TESTS_BLOCKS_FOREST_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -104,5 +103,3 @@ class Forest {
 };
 
 }  // namespace discmc::prove
-
-#endif

@@ -1,7 +1,6 @@
 // A sink that checks the surface of a small block event by event. It sums the surface up in a few
 // words, which can be saved and restored.
-#ifndef DISCMC_TESTS_BLOCKS_REGION_CHECK_HPP
-#define DISCMC_TESTS_BLOCKS_REGION_CHECK_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -71,5 +70,3 @@ class RegionCheck {
 };
 
 }  // namespace discmc::prove
-
-#endif

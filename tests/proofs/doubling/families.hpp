@@ -1,7 +1,6 @@
 // Families of volumes: the same structure at every size, so that twice the size is twice, four
 // times or eight times the work.
-#ifndef DISCMC_TESTS_DOUBLING_FAMILIES_HPP
-#define DISCMC_TESTS_DOUBLING_FAMILIES_HPP
+#pragma once
 
 #include "oracle/volume.hpp"
 
@@ -18,5 +17,3 @@ extern const Family families[];
 extern const size_t family_count;
 
 }  // namespace discmc::doubling
-
-#endif

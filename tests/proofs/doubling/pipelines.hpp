@@ -1,7 +1,6 @@
 // The pipelines: extractors, and behind them encoder, decoder and joiner. The work of each part is
 // counted separately.
-#ifndef DISCMC_TESTS_DOUBLING_PIPELINES_HPP
-#define DISCMC_TESTS_DOUBLING_PIPELINES_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -35,5 +34,3 @@ extern const size_t pipeline_count;
 Efforts run(const Pipeline& pipeline, const reference::BitVolume& volume);
 
 }  // namespace discmc::doubling
-
-#endif

@@ -1,6 +1,5 @@
 // Streams of a volume whose instructions are counted, by the encoders of a device.
-#ifndef DISCMC_TESTS_FOOTPRINT_COUNTED_STREAMS_HPP
-#define DISCMC_TESTS_FOOTPRINT_COUNTED_STREAMS_HPP
+#pragma once
 
 #include <board.hpp>
 #include <discmc/encoder.hpp>
@@ -58,5 +57,3 @@ bool count_kinds(const char* name, const Volume& volume) {
 }
 
 }  // namespace discmc::test
-
-#endif

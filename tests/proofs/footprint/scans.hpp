@@ -1,6 +1,5 @@
 // Scans whose instructions are counted, and their samples.
-#ifndef DISCMC_TESTS_FOOTPRINT_SCANS_HPP
-#define DISCMC_TESTS_FOOTPRINT_SCANS_HPP
+#pragma once
 
 #include <discmc/extractor.hpp>
 
@@ -69,5 +68,3 @@ bool push_and_finish(Scanner& scanner, const Limits& limits, uint32_t slices, Ro
 }
 
 }  // namespace discmc::test
-
-#endif

@@ -1,6 +1,5 @@
 // The test case of a seed: a volume, and the ways in which it is scanned.
-#ifndef DISCMC_TESTS_TORTURE_DRAW_HPP
-#define DISCMC_TESTS_TORTURE_DRAW_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -31,5 +30,3 @@ Arrangement in_much_memory(const PlacedVolume& volume, Scanner scanner, uint32_t
 Arrangement draw_arrangement(const PlacedVolume& volume, const shapes::Below& below);
 
 }  // namespace discmc::torture
-
-#endif

@@ -1,6 +1,5 @@
 // What the slabs of a volume send, and the surface to which a joiner joins it.
-#ifndef DISCMC_TESTS_TORTURE_PIECES_HPP
-#define DISCMC_TESTS_TORTURE_PIECES_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/joiner.hpp>
@@ -107,5 +106,3 @@ inline Surface joined(const std::vector<Pieces>& slabs, uint32_t slices_below, I
 }
 
 }  // namespace discmc::torture
-
-#endif

@@ -1,6 +1,5 @@
 // A generated volume at any height: its voxels row by row, and slabs of it.
-#ifndef DISCMC_TESTS_TORTURE_PLACED_VOLUME_HPP
-#define DISCMC_TESTS_TORTURE_PLACED_VOLUME_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/limits.hpp>
@@ -34,5 +33,3 @@ struct PlacedVolume {
 };
 
 }  // namespace discmc::torture
-
-#endif

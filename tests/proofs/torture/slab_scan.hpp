@@ -1,7 +1,6 @@
 // Scans one slab by one kind of extractor, with refusals, and with checkpoints from which another
 // extractor continues in other memory.
-#ifndef DISCMC_TESTS_TORTURE_SLAB_SCAN_HPP
-#define DISCMC_TESTS_TORTURE_SLAB_SCAN_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -119,5 +118,3 @@ inline Pieces scanned(const PlacedVolume& volume, const SlabPlan& plan) {
 }
 
 }  // namespace discmc::torture
-
-#endif

@@ -1,7 +1,6 @@
 // A surface as one number per region, so that large surfaces compare. The numbers depend neither on
 // the order of regions and holes nor on where rings start.
-#ifndef DISCMC_TESTS_TORTURE_SURFACE_HPP
-#define DISCMC_TESTS_TORTURE_SURFACE_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -149,5 +148,3 @@ class Surface {
 };
 
 }  // namespace discmc::torture
-
-#endif

@@ -1,6 +1,5 @@
 // The bound on the work of a call, as lib/DESIGN.md publishes it ("Work").
-#ifndef DISCMC_TESTS_WORK_BOUND_HPP
-#define DISCMC_TESTS_WORK_BOUND_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/trace/bit_rows.hpp>
@@ -63,5 +62,3 @@ inline uint64_t slice_row_bound(uint32_t width, uint32_t surfaces, bool has_frac
 }
 
 }  // namespace discmc::work
-
-#endif

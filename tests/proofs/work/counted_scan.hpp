@@ -1,6 +1,5 @@
 // A scan whose work is counted, call by call.
-#ifndef DISCMC_TESTS_WORK_COUNTED_SCAN_HPP
-#define DISCMC_TESTS_WORK_COUNTED_SCAN_HPP
+#pragma once
 
 #include <algorithm>
 #include <discmc/extractor.hpp>
@@ -153,5 +152,3 @@ class CountedScan {
 };
 
 }  // namespace discmc::work
-
-#endif

@@ -1,6 +1,5 @@
 // A scan encoded as slices, whose work is counted row by row.
-#ifndef DISCMC_TESTS_WORK_COUNTED_SLICES_HPP
-#define DISCMC_TESTS_WORK_COUNTED_SLICES_HPP
+#pragma once
 
 #include <algorithm>
 #include <discmc/fraction_slice_encoder.hpp>
@@ -47,5 +46,3 @@ SliceWork encode_slices(const reference::BitVolume& volume, uint32_t key_slice_i
 }
 
 }  // namespace discmc::work
-
-#endif

@@ -1,6 +1,5 @@
 // Compares a sweep with the reference. The results are text, so that a failed check prints why.
-#ifndef DISCMC_TESTS_ORACLE_AGREEMENT_HPP
-#define DISCMC_TESTS_ORACLE_AGREEMENT_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -65,5 +64,3 @@ inline std::string unlike_surface(const std::vector<Region>& swept, const BitVol
 }
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // The angle between two directions, in double precision.
-#ifndef DISCMC_TESTS_ORACLE_ANGLE_HPP
-#define DISCMC_TESTS_ORACLE_ANGLE_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -31,5 +30,3 @@ struct Angles {
 };
 
 }  // namespace discmc::reference
-
-#endif

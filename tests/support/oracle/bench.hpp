@@ -1,6 +1,5 @@
 // An extractor that a test starts, feeds and ends itself, and the events that it sends.
-#ifndef DISCMC_TESTS_ORACLE_BENCH_HPP
-#define DISCMC_TESTS_ORACLE_BENCH_HPP
+#pragma once
 
 #include <doctest/doctest.h>
 
@@ -29,5 +28,3 @@ class Bench {
 };
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // Shared by the tests of the C API: its events as those of C++, and memory for objects.
-#ifndef DISCMC_TESTS_ORACLE_C_EVENTS_HPP
-#define DISCMC_TESTS_ORACLE_C_EVENTS_HPP
+#pragma once
 
 #include <discmc/discmc.h>
 
@@ -76,5 +75,3 @@ discmc_status completed(discmc_status status, Call call) {
 }
 
 }  // namespace discmc::reference
-
-#endif

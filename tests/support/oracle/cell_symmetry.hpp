@@ -1,6 +1,5 @@
 // The 48 ways to map a cell onto itself, for statements that hold of turned and mirrored cells.
-#ifndef DISCMC_TESTS_CELL_SYMMETRY_HPP
-#define DISCMC_TESTS_CELL_SYMMETRY_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -58,5 +57,3 @@ inline std::vector<CellSymmetry> cell_symmetries() {
 }
 
 }  // namespace discmc::test
-
-#endif

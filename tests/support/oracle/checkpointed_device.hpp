@@ -1,6 +1,5 @@
 // A scan that is saved and continues in other memory.
-#ifndef DISCMC_TESTS_ORACLE_CHECKPOINTED_DEVICE_HPP
-#define DISCMC_TESTS_ORACLE_CHECKPOINTED_DEVICE_HPP
+#pragma once
 
 #include <algorithm>
 #include <discmc/checkpoint.hpp>
@@ -178,5 +177,3 @@ Bytes uninterrupted(const Scan& scan) {
 }
 
 }  // namespace discmc::test
-
-#endif

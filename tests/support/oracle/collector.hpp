@@ -2,8 +2,7 @@
 //
 // Every event is checked against the grammar of sink.hpp and against what the events before it
 // promised. Loose fragments are checked and kept, not joined (naive_join.hpp).
-#ifndef DISCMC_TESTS_ORACLE_COLLECTOR_HPP
-#define DISCMC_TESTS_ORACLE_COLLECTOR_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/limits.hpp>
@@ -115,5 +114,3 @@ Ring vertices_of(Incidence incidence, Vertex vertex, const std::vector<Run>& run
 std::vector<Region> simple_rings(const std::vector<Region>& regions);
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // The recorder of events: a sink that keeps accepted events as values that compare.
-#ifndef DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
-#define DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -188,5 +187,3 @@ inline std::vector<std::vector<uint64_t>> sorted_parts(const Events& events) {
 }
 
 }  // namespace discmc::reference
-
-#endif

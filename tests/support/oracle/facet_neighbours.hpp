@@ -1,6 +1,5 @@
 // The facet on the other side of an edge: how regions are merged by the paper.
-#ifndef DISCMC_TESTS_ORACLE_FACET_NEIGHBOURS_HPP
-#define DISCMC_TESTS_ORACLE_FACET_NEIGHBOURS_HPP
+#pragma once
 
 #include <discmc/geometry/facet_table.hpp>
 
@@ -38,5 +37,3 @@ inline Neighbour across_edge(Facet facet, int edge) {
 }
 
 }  // namespace discmc::reference
-
-#endif

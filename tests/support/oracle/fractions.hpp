@@ -1,6 +1,5 @@
 // The fractions of a volume by their definition, from its samples.
-#ifndef DISCMC_TESTS_FRACTIONS_HPP
-#define DISCMC_TESTS_FRACTIONS_HPP
+#pragma once
 
 #include <cstdlib>
 #include <vector>
@@ -75,5 +74,3 @@ inline SampleVolume<uint8_t> samples_with(const BitVolume& bits) {
 }
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // The streams of tests/support/golden, and how a stream that differs is shown.
-#ifndef DISCMC_TESTS_GOLDEN_HPP
-#define DISCMC_TESTS_GOLDEN_HPP
+#pragma once
 
 #include <doctest/doctest.h>
 
@@ -27,5 +26,3 @@ inline std::string hex(const Bytes& bytes) {
 }
 
 }  // namespace discmc::test
-
-#endif

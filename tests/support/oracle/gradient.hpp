@@ -1,6 +1,5 @@
 // Volumes of samples, and their gradient by its definition.
-#ifndef DISCMC_TESTS_ORACLE_GRADIENT_HPP
-#define DISCMC_TESTS_ORACLE_GRADIENT_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -59,5 +58,3 @@ std::array<double, 3> gradient(const SampleVolume<Sample>& volume, const Vertex&
 }
 
 }  // namespace discmc::reference
-
-#endif

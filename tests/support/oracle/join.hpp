@@ -1,6 +1,5 @@
 // Runs events through a joiner, in memory of exactly its size.
-#ifndef DISCMC_TESTS_ORACLE_JOIN_HPP
-#define DISCMC_TESTS_ORACLE_JOIN_HPP
+#pragma once
 
 #include <discmc/joiner.hpp>
 #include <stdexcept>
@@ -59,5 +58,3 @@ inline Joined join_all(const Events& events, const JoinPlan& plan) {
 }
 
 }  // namespace discmc::reference
-
-#endif

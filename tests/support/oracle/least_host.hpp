@@ -1,6 +1,5 @@
 // A host that begins with the least room, so that its queues and areas of nodes grow all the time.
-#ifndef DISCMC_TESTS_ORACLE_LEAST_HOST_HPP
-#define DISCMC_TESTS_ORACLE_LEAST_HOST_HPP
+#pragma once
 
 #include "host/host_extractor.hpp"
 
@@ -20,5 +19,3 @@ class LeastHost : public HostExtractor {
 };
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // Surfaces as events with loose fragments in them, as a sweep may send them, and back again.
-#ifndef DISCMC_TESTS_ORACLE_LOOSE_HPP
-#define DISCMC_TESTS_ORACLE_LOOSE_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -351,5 +350,3 @@ class Delivered {
 };
 
 }  // namespace discmc::reference
-
-#endif

@@ -4,8 +4,7 @@
 // All facets of the volume wait in hash tables, one per incidence. A facet grows into a region over
 // a stack of edges. Connecting links are removed, and the remaining links are chained into rings.
 // The code follows the paper and shares only the table with the library's sweep.
-#ifndef DISCMC_TESTS_ORACLE_MERGE_HPP
-#define DISCMC_TESTS_ORACLE_MERGE_HPP
+#pragma once
 
 #include <discmc/geometry/facet_table.hpp>
 #include <vector>
@@ -22,5 +21,3 @@ std::vector<Region> merge(const BitVolume& volume, bool is_closed,
                           const FacetTable& table = facet_table);
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // Joins loose fragments by looking each follower up in a map: what any other way must agree with.
-#ifndef DISCMC_TESTS_ORACLE_NAIVE_JOIN_HPP
-#define DISCMC_TESTS_ORACLE_NAIVE_JOIN_HPP
+#pragma once
 
 #include <map>
 #include <string>
@@ -76,5 +75,3 @@ inline std::string unlike_joined(const std::vector<Collector>& scans,
 }
 
 }  // namespace discmc::reference
-
-#endif

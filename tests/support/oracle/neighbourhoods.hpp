@@ -1,6 +1,5 @@
 // All voxels that can lie around an edge, and the passes at its vertex.
-#ifndef DISCMC_TESTS_ORACLE_NEIGHBOURHOODS_HPP
-#define DISCMC_TESTS_ORACLE_NEIGHBOURHOODS_HPP
+#pragma once
 
 #include <discmc/trace/passes.hpp>
 
@@ -34,5 +33,3 @@ void for_each_neighbourhood(int axis, Visit visit, uint32_t absent = 0) {
 }
 
 }  // namespace discmc::reference
-
-#endif

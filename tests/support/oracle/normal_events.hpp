@@ -1,6 +1,5 @@
 // Events with normals, taken apart, and the normals that they should have.
-#ifndef DISCMC_TESTS_NORMAL_EVENTS_HPP
-#define DISCMC_TESTS_NORMAL_EVENTS_HPP
+#pragma once
 
 #include <discmc/normal_extractor.hpp>
 #include <vector>
@@ -79,5 +78,3 @@ OctahedralNormal reference_normal(const reference::SampleVolume<Sample>& volume,
 }
 
 }  // namespace discmc::test
-
-#endif

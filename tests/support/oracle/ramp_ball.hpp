@@ -1,6 +1,5 @@
 // Balls whose samples fall evenly from the centre outwards.
-#ifndef DISCMC_TESTS_ORACLE_RAMP_BALL_HPP
-#define DISCMC_TESTS_ORACLE_RAMP_BALL_HPP
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -32,5 +31,3 @@ inline SampleVolume<int> ramp_ball(uint32_t extent, double radius, const Ramp& r
 }
 
 }  // namespace discmc::reference
-
-#endif

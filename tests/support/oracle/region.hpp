@@ -1,6 +1,5 @@
 // A merged polygon and what tests ask of a set of them: is it the same, and what does it count?
-#ifndef DISCMC_TESTS_ORACLE_REGION_HPP
-#define DISCMC_TESTS_ORACLE_REGION_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/geometry/facet_table.hpp>
@@ -58,5 +57,3 @@ struct Counts {
 Counts counts(const BitVolume& volume, bool is_closed, const std::vector<Region>& regions);
 
 }  // namespace discmc::reference
-
-#endif

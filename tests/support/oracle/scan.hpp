@@ -1,6 +1,5 @@
 // Runs a whole volume through an extractor, in the portions and the memory of a test.
-#ifndef DISCMC_TESTS_ORACLE_SCAN_HPP
-#define DISCMC_TESTS_ORACLE_SCAN_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -155,5 +154,3 @@ std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32
 }
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,8 +1,7 @@
 // The checks of the tracer's table, so that any wrong byte is detected. The facets of a cell are
 // the authority: the sectors of a vertex in its four cells are looked up in the table of facets.
 // This uses geometry alone, and none of the code that derives the sectors.
-#ifndef DISCMC_TESTS_ORACLE_SECTOR_STATEMENTS_HPP
-#define DISCMC_TESTS_ORACLE_SECTOR_STATEMENTS_HPP
+#pragma once
 
 #include <discmc/trace/sector_table.hpp>
 
@@ -12,5 +11,3 @@ namespace discmc::reference {
 const char* broken(const detail::trace::SectorTable& table);
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // A flash memory that holds its user to its rules, and whose power can fail at any moment.
-#ifndef DISCMC_TESTS_ORACLE_SIMULATED_FLASH_HPP
-#define DISCMC_TESTS_ORACLE_SIMULATED_FLASH_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -136,5 +135,3 @@ class SimulatedFlash {
 };
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,7 +1,6 @@
 // An interrupt after any instruction: the processor is single-stepped, and a signal handler is the
 // interrupt. On x86-64 under Linux.
-#ifndef DISCMC_TESTS_ORACLE_SINGLE_STEP_HPP
-#define DISCMC_TESTS_ORACLE_SINGLE_STEP_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -75,5 +74,3 @@ bool interrupted(uint64_t, Work, Interrupt) {
 #endif
 
 }  // namespace discmc::reference
-
-#endif

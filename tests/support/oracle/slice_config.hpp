@@ -1,6 +1,5 @@
 // The configuration of a slice encoder whose stream begins with a given header.
-#ifndef DISCMC_TESTS_SLICE_CONFIG_HPP
-#define DISCMC_TESTS_SLICE_CONFIG_HPP
+#pragma once
 
 #include <algorithm>
 #include <discmc/slice_encoder.hpp>
@@ -19,5 +18,3 @@ inline SliceEncoderConfig slice_config(const StreamHeader& header,
 }
 
 }  // namespace discmc::test
-
-#endif

@@ -1,6 +1,5 @@
 // Streams of slices for tests: written, and read back as the rows that arrive.
-#ifndef DISCMC_TESTS_SLICE_STREAM_HPP
-#define DISCMC_TESTS_SLICE_STREAM_HPP
+#pragma once
 
 #include <cstring>
 #include <discmc/fraction_slice_encoder.hpp>
@@ -252,5 +251,3 @@ bool have_fractions(const std::vector<RecordedRow>& rows,
 }
 
 }  // namespace discmc::test
-
-#endif

@@ -1,6 +1,5 @@
 // Streams for tests: made of recorded events, and their packets taken apart and mended.
-#ifndef DISCMC_TESTS_STREAM_HPP
-#define DISCMC_TESTS_STREAM_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -371,5 +370,3 @@ class Payload {
 };
 
 }  // namespace discmc::test
-
-#endif

@@ -1,6 +1,5 @@
 // Scans that between them hold everything that a stream can hold.
-#ifndef DISCMC_TESTS_STREAM_SAMPLES_HPP
-#define DISCMC_TESTS_STREAM_SAMPLES_HPP
+#pragma once
 
 #include <string>
 
@@ -270,5 +269,3 @@ inline std::vector<Sample> samples() {
 }
 
 }  // namespace discmc::test
-
-#endif

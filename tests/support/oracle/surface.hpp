@@ -1,6 +1,5 @@
 // What every extraction of a surface must agree on, merged or cut in whatever way.
-#ifndef DISCMC_TESTS_ORACLE_SURFACE_HPP
-#define DISCMC_TESTS_ORACLE_SURFACE_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -48,5 +47,3 @@ uint64_t fingerprint(const std::vector<Region>& regions);
 uint64_t fingerprint_of_cells(const BitVolume& volume, bool is_closed);
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // The rows of shares, by name: as many rows as stand one after the other, of as many symbols each.
-#ifndef DISCMC_TESTS_ORACLE_SYMBOL_ROWS_HPP
-#define DISCMC_TESTS_ORACLE_SYMBOL_ROWS_HPP
+#pragma once
 
 #include <discmc/stream/shares.hpp>
 
@@ -58,5 +57,3 @@ inline bool has_corners(uint32_t link_class, uint32_t symbol) {
 }
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,8 +1,7 @@
 // Statements about the derived tables, so that any wrong byte breaks one. They treat the tables as
 // data: none uses the code that derives them, except the loops of cell.hpp, which cell_test.cpp
 // tests.
-#ifndef DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
-#define DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
+#pragma once
 
 #include <discmc/geometry/facet_table.hpp>
 #include <discmc/stream/shares.hpp>
@@ -33,5 +32,3 @@ const char* broken(const FacetTables& facets);
 const char* broken(const ModelTable& model);
 
 }  // namespace discmc::reference
-
-#endif

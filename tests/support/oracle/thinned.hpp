@@ -1,7 +1,6 @@
 // How many cases the tests try that would try everything: a part of them, or all where the
 // environment has DISCMC_ALL, as under `scripts/test --all`.
-#ifndef DISCMC_TESTS_ORACLE_THINNED_HPP
-#define DISCMC_TESTS_ORACLE_THINNED_HPP
+#pragma once
 
 #include <cstdint>
 #include <cstdlib>
@@ -28,5 +27,3 @@ inline uint32_t step(uint32_t thinned) {
 }
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,8 +1,7 @@
 // Volumes of on and off voxels, and the shapes that the tests are made of.
 //
 // Everything here is integers, so that a volume is the same on every machine.
-#ifndef DISCMC_TESTS_ORACLE_VOLUME_HPP
-#define DISCMC_TESTS_ORACLE_VOLUME_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -113,5 +112,3 @@ BitVolume spiral(Size size);
 BitVolume from_bits(Size size, uint64_t bits);
 
 }  // namespace discmc::reference
-
-#endif

@@ -1,6 +1,5 @@
 // Walls, and bars across them: every edge between the two may have as many chains as an edge can.
-#ifndef DISCMC_TESTS_SHAPES_BARS_HPP
-#define DISCMC_TESTS_SHAPES_BARS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -18,5 +17,3 @@ struct Bars {
 };
 
 }  // namespace discmc::shapes
-
-#endif

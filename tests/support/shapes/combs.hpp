@@ -1,6 +1,5 @@
 // Teeth that only the last rows join: a sweep learns late that they are one region.
-#ifndef DISCMC_TESTS_SHAPES_COMBS_HPP
-#define DISCMC_TESTS_SHAPES_COMBS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -19,5 +18,3 @@ struct Comb {
 };
 
 }  // namespace discmc::shapes
-
-#endif

@@ -1,6 +1,5 @@
 // Fractals: boundaries of every size, and holes in holes.
-#ifndef DISCMC_TESTS_SHAPES_FRACTALS_HPP
-#define DISCMC_TESTS_SHAPES_FRACTALS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -28,5 +27,3 @@ struct Fractal {
 };
 
 }  // namespace discmc::shapes
-
-#endif

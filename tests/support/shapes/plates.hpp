@@ -1,6 +1,5 @@
 // Plates with islands in their holes, level or slanting: many holes wait on one plane.
-#ifndef DISCMC_TESTS_SHAPES_PLATES_HPP
-#define DISCMC_TESTS_SHAPES_PLATES_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -25,5 +24,3 @@ struct Plates {
 };
 
 }  // namespace discmc::shapes
-
-#endif

@@ -1,6 +1,5 @@
 // Teeth with one slanting side: chains begin along more links than they end along.
-#ifndef DISCMC_TESTS_SHAPES_SAWS_HPP
-#define DISCMC_TESTS_SHAPES_SAWS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -19,5 +18,3 @@ struct Saw {
 };
 
 }  // namespace discmc::shapes
-
-#endif

@@ -1,7 +1,6 @@
 // Volumes that reach: a kind of shape with parameters that a caller draws, by chance or from bytes.
 // None is held in memory.
-#ifndef DISCMC_TESTS_SHAPES_SHAPE_HPP
-#define DISCMC_TESTS_SHAPES_SHAPE_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -35,5 +34,3 @@ const char* name_of(Kind kind);
 On draw_shape(Kind kind, const reference::Size& size, const Below& below);
 
 }  // namespace discmc::shapes
-
-#endif

@@ -1,6 +1,5 @@
 // Shells within shells: boxes, octahedra or balls, alone or repeated.
-#ifndef DISCMC_TESTS_SHAPES_SHELLS_HPP
-#define DISCMC_TESTS_SHAPES_SHELLS_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -31,5 +30,3 @@ struct Shells {
 };
 
 }  // namespace discmc::shapes
-
-#endif

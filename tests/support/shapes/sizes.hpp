@@ -1,7 +1,6 @@
 // Sizes at which something changes: rows of few voxels, and runs as long as the limits allow. Rows
 // also have sizes around powers of two in words of 30 columns.
-#ifndef DISCMC_TESTS_SHAPES_SIZES_HPP
-#define DISCMC_TESTS_SHAPES_SIZES_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -51,5 +50,3 @@ inline reference::Size draw_small_size(const Below& below) {
 }
 
 }  // namespace discmc::shapes
-
-#endif

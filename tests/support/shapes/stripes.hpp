@@ -1,6 +1,5 @@
 // Stripes of any slope, whose sides are long.
-#ifndef DISCMC_TESTS_SHAPES_STRIPES_HPP
-#define DISCMC_TESTS_SHAPES_STRIPES_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -19,5 +18,3 @@ struct Stripes {
 };
 
 }  // namespace discmc::shapes
-
-#endif

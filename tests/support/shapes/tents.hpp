@@ -1,6 +1,5 @@
 // Tents in one another, some with ragged rims: in a slab the inner ones are complete first.
-#ifndef DISCMC_TESTS_SHAPES_TENTS_HPP
-#define DISCMC_TESTS_SHAPES_TENTS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -24,5 +23,3 @@ struct Tents {
 };
 
 }  // namespace discmc::shapes
-
-#endif

@@ -1,6 +1,5 @@
 // The corners of one cell, repeated along each axis.
-#ifndef DISCMC_TESTS_SHAPES_TILINGS_HPP
-#define DISCMC_TESTS_SHAPES_TILINGS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -21,5 +20,3 @@ struct Tiling {
 };
 
 }  // namespace discmc::shapes
-
-#endif

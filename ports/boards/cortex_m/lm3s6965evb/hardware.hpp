@@ -1,6 +1,5 @@
 // Addresses and numbers of the LM3S6965.
-#ifndef DISCMC_BOARDS_HARDWARE_HPP
-#define DISCMC_BOARDS_HARDWARE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -11,5 +10,3 @@ constexpr uint32_t uart_interrupt = 5;
 constexpr uint32_t uart_divider_64ths = 4 * 50000000 / 115200;  // 16 clocks a bit
 
 }  // namespace hardware
-
-#endif

@@ -1,6 +1,5 @@
 // Addresses and numbers of the nRF51822 on a BBC micro:bit.
-#ifndef DISCMC_BOARDS_HARDWARE_HPP
-#define DISCMC_BOARDS_HARDWARE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -12,5 +11,3 @@ constexpr uint32_t uart_pin = 24;
 constexpr uint32_t uart_baud_rate = 0x01D7E000;  // 115200
 
 }  // namespace hardware
-
-#endif

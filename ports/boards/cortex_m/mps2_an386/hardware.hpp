@@ -1,6 +1,5 @@
 // Addresses and numbers of the MPS2 with AN386.
-#ifndef DISCMC_BOARDS_HARDWARE_HPP
-#define DISCMC_BOARDS_HARDWARE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -15,5 +14,3 @@ constexpr uint32_t rows_receive_interrupt = 2;
 constexpr uint32_t rows_send_interrupt = 3;
 
 }  // namespace hardware
-
-#endif

@@ -1,6 +1,5 @@
 // Addresses and numbers of the MPS2 with AN500.
-#ifndef DISCMC_BOARDS_HARDWARE_HPP
-#define DISCMC_BOARDS_HARDWARE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -11,5 +10,3 @@ constexpr uint32_t uart_send_interrupt = 1;
 constexpr uint32_t uart_divider = 25000000 / 115200;
 
 }  // namespace hardware
-
-#endif

@@ -1,6 +1,5 @@
 // Addresses and numbers of the STM32F405.
-#ifndef DISCMC_BOARDS_HARDWARE_HPP
-#define DISCMC_BOARDS_HARDWARE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -11,5 +10,3 @@ constexpr uint32_t uart_interrupt = 37;
 constexpr uint32_t uart_divider = 84000000 / 115200;
 
 }  // namespace hardware
-
-#endif

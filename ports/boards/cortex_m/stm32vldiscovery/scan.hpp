@@ -1,6 +1,5 @@
 // What is scanned on this board, and in how much memory.
-#ifndef DISCMC_BOARDS_SCAN_HPP
-#define DISCMC_BOARDS_SCAN_HPP
+#pragma once
 
 #include <stddef.h>
 
@@ -16,5 +15,3 @@ constexpr int32_t threshold = 100;
 constexpr size_t arena_bytes = 5272;
 
 }  // namespace scan
-
-#endif

@@ -1,6 +1,5 @@
 // Addresses and numbers of QEMU's machine virt.
-#ifndef DISCMC_BOARDS_HARDWARE_HPP
-#define DISCMC_BOARDS_HARDWARE_HPP
+#pragma once
 
 #include <stdint.h>
 
@@ -13,5 +12,3 @@ constexpr uintptr_t uart = 0x10000000;
 constexpr uint32_t uart_interrupt = 10;
 
 }  // namespace hardware
-
-#endif

@@ -1,7 +1,6 @@
 // What the simulator's firmware scans: little, for a UART in QEMU moves some 30 kB a second.
 // Its memory runs short, so that loose fragments come too.
-#ifndef DISCMC_BOARDS_SCAN_HPP
-#define DISCMC_BOARDS_SCAN_HPP
+#pragma once
 
 #include <stddef.h>
 
@@ -17,5 +16,3 @@ constexpr int32_t threshold = 128;
 constexpr size_t arena_bytes = 3 * 1024;
 
 }  // namespace scan
-
-#endif

@@ -1,6 +1,5 @@
 // In place of the header in ports/mesh: the module has no threads.
-#ifndef DISCMC_WEB_JOBS_ORDERED_PIPELINE_HPP
-#define DISCMC_WEB_JOBS_ORDERED_PIPELINE_HPP
+#pragma once
 
 #include <cstddef>
 
@@ -17,5 +16,3 @@ void run_in_order(unsigned, std::size_t count, Fill fill, Work work, Take take) 
 }
 
 }  // namespace discmc::meshing
-
-#endif
