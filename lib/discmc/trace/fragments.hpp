@@ -119,11 +119,9 @@ class Fragments {
   template <class Intake>
   void process(const Pass& pass, const Vertex& vertex, const Intake& intake);
 
-  /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there. Limits and
-  /// cost as process().
-  void end_rising(const Pass& pass, const Vertex& vertex);
-  /// There, too: a chain that descends from the vertex begins, loose, at the next one.
-  void begin_descending(const Pass& pass, const Vertex& vertex);
+  /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there, or one
+  /// that descends from it begins, loose, at the next vertex. Limits and cost as process().
+  void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
   /// Moves a vertex by a link.
   static void follow(Vertex& vertex, Link link) { translate(vertex, link, 1); }
@@ -442,30 +440,21 @@ void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
 
 // ---- at the seam of a slab ----
 
-// No cell above the seam takes part, so no chain rises from its vertices. A pass with a rising
-// queue has its link in the slice below.
-
+// No cell above the seam takes part, so no chain rises from this vertex. A pass with a rising queue
+// has its link in the slice below. One function for both ways takes less flash and stack than two.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::end_rising(const Pass& pass, const Vertex& vertex) {
+void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bool ends) {
   DISCMC_LIMIT(!has_outgoing());
-  if (pass.in < first_rising_queue) return;
-  const Index tail = pop(pass.in);
-  if (tail == no_slot) return;
-  Vertex at = vertex;
-  end_tail(pass, tail, pass.incoming, at);
-}
-
-template <class Index, class Normal>
-void Fragments<Index, Normal>::begin_descending(const Pass& pass, const Vertex& vertex) {
-  DISCMC_LIMIT(!has_outgoing());
-  if (pass.out < first_rising_queue) return;
-  const Index begin = pop(pass.out);
-  if (begin == no_slot) return;
-  Vertex at = next_vertex(pass, vertex);
-  const Side side = end(begin).side;
-  if (side.place() != place_of(at))
-    turn_back(begin, pass.second, place_of(at), side.direction(), {});
-  cut_begin(pass, begin, pass.second, at);
+  Vertex at = ends ? vertex : next_vertex(pass, vertex);
+  const Link along = ends ? pass.incoming : pass.second;
+  const uint8_t queue = ends ? pass.in : pass.out;
+  if (queue < first_rising_queue) return;
+  const Index index = pop(queue);
+  if (index == no_slot) return;
+  if (ends) return end_tail(pass, index, along, at);
+  const Side side = end(index).side;
+  if (side.place() != place_of(at)) turn_back(index, along, place_of(at), side.direction(), {});
+  cut_begin(pass, index, along, at);
 }
 
 // ---- short of slots ----

@@ -87,10 +87,8 @@ bool Sweep<Index, Normal, lean>::process_passes(const SweptRow& row, const Intak
       passes_.advance();
       if (is_lean || row.is_own())
         fragments_.process(pass, vertex, intake);
-      else if (chains_are_ended_)
-        fragments_.begin_descending(pass, vertex);
       else
-        fragments_.end_rising(pass, vertex);
+        fragments_.cut_at(pass, vertex, !chains_are_ended_);
       if (fragments_.has_outgoing() && !delivery_.settle(fragments_, sink, statistics))
         return false;
     }
