@@ -119,7 +119,7 @@ class Fragments {
   template <class Intake>
   void process(const Pass& pass, const Vertex& vertex, const Intake& intake);
 
-  /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there, or one
+  /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there. Or one
   /// that descends from it begins, loose, at the next vertex. Limits and cost as process().
   void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
