@@ -9,7 +9,7 @@
 //   while (const Sample* row = means.drain()) extractor.push(row, means.limits().width);
 //
 // The last blocks along an axis contain the remaining voxels. Samples of 0 and 1 give a majority: 1
-// if at min_sample half of a block is 1.
+// if at least half of a block is 1.
 #ifndef DISCMC_DOWNSAMPLER_HPP
 #define DISCMC_DOWNSAMPLER_HPP
 
@@ -41,9 +41,9 @@ class Downsampler {
 
   /// Begins a volume. incoming: the size of the incoming slices; limits() has its border, and
   /// ignores its slab. extent: of a block, in voxels along each axis; Limit: 1 to max_extent.
-  /// memory: at min_sample bytes_for(incoming, extent); Owner: the caller, while this object is in
-  /// use. Errors: bad_limits, too_little_memory; then it is not started. Cost: one write per block
-  /// of a slice.
+  /// memory: at least bytes_for(incoming, extent); Owner: the caller, while this object is in use.
+  /// Errors: bad_limits, too_little_memory; then it is not started. Cost: one write per block of a
+  /// slice.
   [[nodiscard]] Status start(const Limits& incoming, uint32_t extent, Memory memory);
 
   /// The size of the outgoing slices, for the extractor.

@@ -81,7 +81,7 @@ class Threshold {
     return is_little_endian && reinterpret_cast<uintptr_t>(samples) % sizeof(uint32_t) == 0;
   }
 
-  /// Samples from here to where the next word begins, at min_sample one.
+  /// Samples from here to where the next word begins, at least one.
   static uint32_t samples_to_word(const Sample* samples) {
     return lanes - reinterpret_cast<uintptr_t>(samples) / sizeof(Sample) % lanes;
   }

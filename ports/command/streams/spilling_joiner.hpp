@@ -18,7 +18,7 @@ namespace discmc::command {
 /// Takes the events of a Joiner that is short of memory. Chains never leave their plane, so the
 /// pieces are divided by planes into groups, and these are joined one after another.
 /// Memory: while events come, some megabytes; in the end what the pieces of one group take, of
-/// which there are 256. Disk: 4 bytes a run, 8 with a normal, 16 a fragment or ring.
+/// which there are 256. Disk: 4 bytes per run, 8 with a normal, 16 per fragment or ring.
 class PlaneSpill {
  public:
   /// sink: gets what belongs to no region at once, the rest from join(); it must take everything at

@@ -32,8 +32,7 @@ struct VolumeKeeping {
 /// Moves the crossings of surfaces. If two surfaces meet, both get the crossing where their
 /// distances are equal. Then each body and each cavity is grown or shrunk evenly until it encloses
 /// the volume of its voxels. Bodies that fill a volume to its corners cannot all: each then lacks
-/// the same share. Cost: a mesh of each surface, all at once, and several passes over
-/// them.
+/// the same share. Cost: a mesh of each surface, all at once, and several passes over them.
 void keep_volumes(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping);
 
 }  // namespace discmc::meshing

@@ -1,6 +1,6 @@
 // The datasets of an HDF5 file, the links to them, and the files that they lie in. Axes are
-// declared by dimension scales, as NetCDF and xarray write them, and labels. NeXus names datasets
-// of the group as axes.
+// declared by dimension scales, as NetCDF and xarray write them, and labels. In NeXus a group names
+// the datasets that are its axes.
 #pragma once
 
 #include <cstdint>
