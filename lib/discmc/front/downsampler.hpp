@@ -16,6 +16,7 @@
 #include <discmc/base/arena.hpp>
 #include <discmc/limits.hpp>
 #include <discmc/row_input.hpp>
+#include <discmc/trace/threshold.hpp>
 
 namespace discmc {
 
@@ -62,8 +63,8 @@ class Downsampler {
   static constexpr uint32_t blocks(uint32_t voxels, uint32_t extent) {
     return (voxels + extent - 1) / extent;
   }
-  // Sums are relative to the smallest value, so they are never negative.
-  static constexpr int32_t min_sample = Sample(-1) < 0 ? -32768 : 0;
+  // Sums are relative to the least sample, so they are never negative.
+  static constexpr int32_t min_sample = detail::trace::min_sample<Sample>;
 
   uint32_t size_of(uint32_t block, uint32_t voxels) const;
   const Sample* next_row(uint32_t slices);

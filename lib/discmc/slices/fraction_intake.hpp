@@ -96,7 +96,7 @@ class FractionIntake {
 
  private:
   static constexpr int32_t extent = int32_t{1} << 8 * sizeof(Sample);
-  static constexpr int32_t min_sample = Sample(-1) < 0 ? -(extent / 2) : 0;
+  static constexpr int32_t min_sample = trace::min_sample<Sample>;
   static constexpr uint32_t per_four_words = 16 / sizeof(Sample);
   struct alignas(uint32_t) FourWords {
     Sample of[per_four_words];

@@ -6,6 +6,7 @@
 #include <discmc/row_input.hpp>
 #include <discmc/trace/intake.hpp>
 #include <discmc/trace/sample_rows.hpp>
+#include <discmc/trace/threshold.hpp>
 
 namespace discmc {
 
@@ -125,8 +126,7 @@ class GradientIntake {
   // The value of missing samples for the gradient: just below the threshold, if the type has such a
   // value. If the threshold exceeds all values of the type, nothing is on and there are no normals.
   static Sample off_below(int32_t threshold) {
-    constexpr bool is_signed = static_cast<Sample>(-1) < 0;
-    constexpr int32_t min_sample = is_signed ? -(1 << (8 * sizeof(Sample) - 1)) : 0;
+    constexpr int32_t min_sample = detail::trace::min_sample<Sample>;
     return static_cast<Sample>(threshold > min_sample ? threshold - 1 : min_sample);
   }
 

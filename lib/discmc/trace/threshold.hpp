@@ -9,6 +9,11 @@
 
 namespace discmc::detail::trace {
 
+/// The least sample of a type.
+template <class Sample>
+inline constexpr int32_t min_sample = Sample(-1) < 0 ? -(int32_t{1} << (8 * sizeof(Sample) - 1))
+                                                     : 0;
+
 /// A word of lanes.
 template <uint32_t lane_bits>
 struct LanesOf {
@@ -69,10 +74,10 @@ class Threshold {
 
   explicit Threshold(int32_t threshold)
       : threshold_(threshold),
-        lanes_(static_cast<uint32_t>(threshold < min_sample ? 0
-                                     : threshold > min_sample + 2 * half
+        lanes_(static_cast<uint32_t>(threshold < min_sample<Sample> ? 0
+                                     : threshold > min_sample<Sample> + 2 * half
                                          ? 2 * half
-                                         : threshold - min_sample)) {}
+                                         : threshold - min_sample<Sample>)) {}
 
   bool reached(Sample sample) const { return int32_t{sample} >= threshold_; }
 
@@ -120,12 +125,11 @@ class Threshold {
  private:
   using Lanes = LaneThreshold<8 * sizeof(Sample)>;
   static constexpr int32_t half = Lanes::half;
-  static constexpr int32_t min_sample = Sample(-1) < 0 ? -half : 0;
 
   // Samples as unsigned numbers of the same order.
   static uint32_t word_at(const Sample* samples) {
     const uint32_t word = aligned_word(samples);
-    return min_sample < 0 ? word ^ Lanes::tops : word;
+    return min_sample<Sample> < 0 ? word ^ Lanes::tops : word;
   }
 
   int32_t threshold_;
