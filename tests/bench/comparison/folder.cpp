@@ -15,23 +15,30 @@ std::vector<Sample> read_all(command::VolumeReader& reader) {
   return samples;
 }
 
-Samples read_samples(command::VolumeReader& reader) {
-  return command::with_scanner_type(
-      reader.info().type, [&](auto type) { return Samples(read_all<decltype(type)>(reader)); });
-}
-
 }  // namespace
+
+Volume read_volume(const std::filesystem::path& file) {
+  const auto reader = command::open_volume(file);
+  const auto& dims = reader->info().dims;
+  return {file.stem().stem().string(),
+          dims[0],
+          dims[1],
+          dims[2],
+          0,
+          command::with_scanner_type(reader->info().type, [&](auto type) {
+            return Samples(read_all<decltype(type)>(*reader));
+          })};
+}
 
 std::vector<Volume> volumes_in(const std::filesystem::path& folder) {
   std::vector<Volume> volumes;
   for (const command::DescribedVolume& description : command::described_volumes(folder)) {
-    const auto reader = command::open_volume(description.file);
-    const auto& dims = reader->info().dims;
-    const Samples samples = read_samples(*reader);
-    for (const int32_t threshold : description.thresholds)
-      volumes.push_back(
-          {description.file.stem().stem().string() + " at " + std::to_string(threshold), dims[0],
-           dims[1], dims[2], threshold, samples});
+    const Volume volume = read_volume(description.file);
+    for (const int32_t threshold : description.thresholds) {
+      volumes.push_back(volume);
+      volumes.back().name += " at " + std::to_string(threshold);
+      volumes.back().threshold = threshold;
+    }
   }
   return volumes;
 }

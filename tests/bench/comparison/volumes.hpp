@@ -57,6 +57,10 @@ std::vector<uint8_t> voxels_on(const Volume& volume);
 /// Cells between eight voxels of which some are on and some off.
 uint64_t active_cells(const Volume& volume);
 
+/// The volume of a file, with the file's name, and a threshold of 0. Throws command::VolumeError
+/// when it cannot be read.
+Volume read_volume(const std::filesystem::path& file);
+
 /// Every volume of the folder that has a JSON file beside it, {"file": "head.nrrd", "iso": [500]},
 /// at each of its thresholds. Throws command::VolumeError when one cannot be read.
 std::vector<Volume> volumes_in(const std::filesystem::path& folder);

@@ -3,7 +3,6 @@
 // Prints one figure per line: group, name, column and value, separated by tabs. Given a folder of
 // real scans it includes two of them, and writes all, and generated volumes, to folders in COUNTED,
 // for volume_work.cpp.
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -17,7 +16,6 @@
 
 #include "bench/comparison/volumes.hpp"
 #include "oracle/slice_stream.hpp"
-#include "volumes/volume.hpp"
 
 namespace {
 
@@ -104,16 +102,9 @@ void print_losses(const std::string& name, const BitVolume& volume) {
 // ---- volumes whose instructions are counted ----
 
 bench::Volume read(const std::string& name, const std::string& file, int32_t threshold) {
-  const auto reader = command::open_volume(file);
-  const auto [width, height, depth] = reader->info().dims;
-  bench::Volume volume{name, width, height, depth, threshold, {}};
-  if (reader->info().type == command::SampleType::u16) volume.samples = std::vector<uint16_t>();
-  std::visit(
-      [&, voxels = volume.voxels(), slice = size_t{width} * height](auto& samples) {
-        samples.resize(voxels);
-        for (size_t at = 0; at < voxels; at += slice) reader->read_slice(&samples[at]);
-      },
-      volume.samples);
+  bench::Volume volume = bench::read_volume(file);
+  volume.name = name;
+  volume.threshold = threshold;
   return volume;
 }
 
@@ -132,8 +123,7 @@ std::vector<bench::Volume> generated() {
 
 BitVolume voxels_of(const bench::Volume& volume) {
   BitVolume voxels({volume.width, volume.height, volume.depth});
-  const std::vector<uint8_t> on = bench::voxels_on(volume);
-  std::copy(on.begin(), on.end(), voxels.on.begin());
+  voxels.on = bench::voxels_on(volume);
   return voxels;
 }
 
