@@ -1,6 +1,5 @@
 # Readers whose libraries are slow to start are in modules, which the command loads when it first needs
 # them (first_use.cpp). Other programs link these readers as they link the rest of a library.
-include(GNUInstallDirs)
 set(modules_folder ${CMAKE_CURRENT_LIST_DIR})
 
 # discmc_in_module(library NAME READER function LIBRARIES libraries... [INCLUDE folder] SOURCES files...)
