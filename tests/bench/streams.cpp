@@ -42,6 +42,9 @@
 #ifdef DISCMC_WITH_CHARLS
 #include <charls/charls.h>
 #endif
+#ifdef DISCMC_WITH_VTK
+#include "flying_edges.hpp"
+#endif
 
 using namespace discmc;
 using namespace discmc::command;
@@ -51,7 +54,8 @@ namespace {
 constexpr const char* usage =
     R"(usage: bench_streams [FILE:THRESHOLD...]
 
-Prints a table in Markdown for volumes of u8, u16 or i16 samples, and for generated ones:
+Prints a table in Markdown for volumes of u8, u16 or i16 samples, and for generated ones, beside the
+mesh that FlyingEdges3D makes of the samples, if the program has VTK:
   bytes                of the streams, and of the samples by JPEG-LS, if the program has CharLS
   least memory         of the encoders
   triangles            of the meshes, with tolerance 0
@@ -277,6 +281,16 @@ void print_samples(const Scan& scan) {
 #endif
 }
 
+// The mesh of the samples, if the program has VTK.
+std::optional<FaceMesh> flying_edges(const Scan& scan) {
+#ifdef DISCMC_WITH_VTK
+  return bench::flying_edges(*scan.open(), scan.iso() - 0.5);
+#else
+  static_cast<void>(scan);
+  return std::nullopt;
+#endif
+}
+
 // The rows of one volume.
 class Rows {
  public:
@@ -291,11 +305,20 @@ class Rows {
     exact_ = &finder.crossings();
     exact_mesh_ = received.mesh(exact_);
     classic_ = scan_.classic();
+    print_flying_edges();
     print_row("polygons", polygons, received.crossings(false), received.mesh(nullptr));
     for (const int levels : {0, 2, 4}) print_slices(static_cast<std::uint8_t>(levels));
   }
 
  private:
+  void print_flying_edges() {
+    const std::optional<FaceMesh> mesh = flying_edges(scan_);
+    if (!mesh) return;
+    begin_row();
+    std::printf("samples, FlyingEdges3D | - | - | %zu | - |", mesh->face_count());
+    print_errors(*mesh);
+  }
+
   void print_slices(std::uint8_t levels) {
     const Stream stream = scan_.slices(levels, 0);
     const Received received(stream.bytes);
@@ -312,12 +335,16 @@ class Rows {
 
   void print_row(const std::string& stream_name, const Stream& stream, const Crossings& crossings,
                  const FaceMesh& mesh) {
-    const Distances from = distances(mesh, classic_);
     begin_row();
-    std::printf("%s | %zu | %llu | %zu | %.2f | %.3f | %.2f | %.1f |\n", stream_name.c_str(),
-                stream.bytes.size(), static_cast<unsigned long long>(stream.memory),
-                mesh.face_count(), mean_distance_along(crossings, *exact_), from.mean, from.largest,
-                mean_angle(mesh, exact_mesh_));
+    std::printf("%s | %zu | %llu | %zu | %.2f |", stream_name.c_str(), stream.bytes.size(),
+                static_cast<unsigned long long>(stream.memory), mesh.face_count(),
+                mean_distance_along(crossings, *exact_));
+    print_errors(mesh);
+  }
+
+  void print_errors(const FaceMesh& mesh) {
+    const Distances from = distances(mesh, classic_);
+    std::printf(" %.3f | %.2f | %.1f |\n", from.mean, from.largest, mean_angle(mesh, exact_mesh_));
     std::fflush(stdout);
   }
 
