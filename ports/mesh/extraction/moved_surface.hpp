@@ -23,7 +23,7 @@ class MovedSurface {
   }
   SinkResult accept_region(const WholeRegion& region) {
     WholeRegion moved = region;
-    moved.start = region.start + by_;
+    moved.move(by_);
     return surface_.accept_region(moved);
   }
 

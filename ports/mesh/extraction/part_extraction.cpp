@@ -52,7 +52,7 @@ class PartSurface {
 
   // A region that is whole.
   SinkResult accept_region(const WholeRegion& region) {
-    if (has_loose_rings(region.incidence, region.start)) return SinkResult::busy;
+    if (has_loose_rings(region.incidence(), region.start())) return SinkResult::busy;
     if (packets_) packets_->accept_region(region);
     if (polygons_) polygons_->accept_region(region);
     return SinkResult::accepted;

@@ -108,7 +108,8 @@ class Chains {
 
   /// Finds the next closed ring, in the order in which they were closed. False if there is none.
   bool find_ring(Slots& slots);
-  /// Its corners in order, from any one of them on; none if they are more than max_corners.
+  /// Its corners in order, from any one of them on; none if they are more than max_corners. Behind
+  /// them is room for as many.
   uint64_t* corners() { return corner_; }
   uint32_t corner_count() const { return corner_count_; }
   /// Puts the ring out as slots.
@@ -199,7 +200,7 @@ class Chains {
   uint32_t first_seat_[queue_codes] = {};
   uint32_t end_seat_[queue_codes] = {};
   uint32_t join_[ChainRoom::max_joins + 1] = {};
-  uint64_t corner_[max_corners + 2] = {};
+  uint64_t corner_[2 * (max_corners + 2)] = {};
 };
 
 }  // namespace discmc::host

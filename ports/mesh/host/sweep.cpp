@@ -6,32 +6,9 @@ namespace {
 
 using detail::trace::SlabRole;
 
-/// What is asked of the planes of an incidence for every ring, at hand.
-struct Planes {
-  Direction direction[link_codes];  ///< as direction_of()
-  uint64_t right_turns;             ///< bit 8 a + b: whether from direction a to b is one
-};
-struct PlaneTable {
-  Planes of[incidence_codes];
-};
-constexpr PlaneTable derive_planes() {
-  PlaneTable table{};
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
-    Planes& planes = table.of[incidence];
-    for (Direction a = 0; a < direction_count(incidence); ++a) {
-      planes.direction[link_of(incidence, a)] = a;
-      for (Direction b = 0; b < direction_count(incidence); ++b)
-        if (turn(incidence, a, b) < 0) planes.right_turns |= uint64_t{1} << (8 * a + b);
-    }
-  }
-  return table;
-}
-constexpr PlaneTable plane_table = derive_planes();
-
-bool is_hole(CornerCode start) {
-  const Planes& planes = plane_table.of[start.incidence()];
-  const uint32_t turn = 8U * planes.direction[start.incoming()] + planes.direction[start.onwards()];
-  return (planes.right_turns >> turn & 1) != 0;
+// Whether the ring turns to the right at its last vertex.
+bool is_hole(const WholeRegion& region) {
+  return 2 * region.left_turn(0) > direction_count(region.incidence());
 }
 
 }  // namespace
@@ -153,47 +130,38 @@ bool Sweep::deliver(const Sink& sink, Statistics& statistics) {
 }
 
 // Whether holes wait on the plane of a ring.
-bool Sweep::may_have_holes(CornerCode start) {
+bool Sweep::may_have_holes(const WholeRegion& region) {
   const auto& holes = delivery_.holes();
-  return holes.count() > 0 && holes.has_any(slots(), start.incidence(), start.vertex());
+  return holes.count() > 0 && holes.has_any(slots(), region.incidence(), region.start());
 }
 
-// Makes runs of the corners of the ring that was found, twice over. Returns the first run: a ring
-// begins at its last vertex, as in Delivery. This vertex is a corner.
-DISCMC_ALWAYS_INLINE const Run* Sweep::make_runs(uint32_t count, CornerCode& start,
-                                                 uint64_t& links) {
-  DISCMC_LIMIT(2 * count <= sizeof run_ / sizeof run_[0]);
+// The ring that was found as a region: it begins at its last vertex, as in Delivery. This vertex is
+// a corner.
+DISCMC_ALWAYS_INLINE WholeRegion Sweep::region_found(uint64_t& links) {
   uint64_t* const corner = chains_.corners();
-  corner[count] = corner[0];
-  const Direction* const direction = plane_table.of[CornerCode(corner[0]).incidence()].direction;
-  Run* const again = run_ + count;
+  const uint32_t count = chains_.corner_count();
+  DISCMC_LIMIT(count <= Chains::max_corners + 2);
   uint64_t last = 0;
   uint32_t first = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    const CornerCode from(corner[i]);
-    const uint32_t length = links_between(from, CornerCode(corner[i + 1]));
-    run_[i] = again[i] = Run::straight(direction[from.onwards()], length);
-    links += length;
+    corner[count + i] = corner[i];
+    links += links_between(CornerCode(corner[i]), CornerCode(corner[i + 1]));
     // Without a branch.
     const uint64_t is_later = 0 - uint64_t{corner[i] > last};
     last ^= (last ^ corner[i]) & is_later;
     first ^= (first ^ i) & static_cast<uint32_t>(is_later);
   }
-  start = CornerCode(last);
-  return run_ + first;
+  return {corner + first, count};
 }
 
 // Delivers the ring that was found.
 bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
-  const uint32_t count = chains_.corner_count();
-  CornerCode start(0);
   uint64_t links = 0;
-  const Run* const runs = count > 0 ? make_runs(count, start, links) : nullptr;
-  if (count == 0 || is_hole(start) || may_have_holes(start)) {
+  const WholeRegion region = region_found(links);
+  if (region.corner_count() == 0 || is_hole(region) || may_have_holes(region)) {
     chains_.put_out_ring(fragments_);
     return delivery_.settle(fragments_, sink, statistics);
   }
-  const WholeRegion region{start.incidence(), start.vertex(), runs, count};
   if ((receiver_.accept == nullptr ||
        receiver_.accept(receiver_.context, region) != SinkResult::accepted) &&
       !send_events(region, sink, statistics))
@@ -209,7 +177,7 @@ bool Sweep::send_events(const WholeRegion& region, const Sink& sink, Statistics&
   uint32_t taken = discmc::send_events(region, [&](const Event& event) {
     return sink.accept(sink.context, event) == SinkResult::accepted;
   });
-  if (taken == region.count + 3) return true;
+  if (taken == region.corner_count() + 3) return true;
   chains_.put_out_ring(fragments_);
   delivery_.begin(fragments_);
   for (; taken > 0; --taken) delivery_.select_next(fragments_, statistics);

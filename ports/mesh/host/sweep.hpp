@@ -47,9 +47,9 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
   void hand_over(const detail::trace::SweptRow& row);
   void take_edges(Statistics& statistics);
   bool deliver(const Sink& sink, Statistics& statistics);
-  bool may_have_holes(CornerCode start);
+  bool may_have_holes(const WholeRegion& region);
   bool deliver_ring(const Sink& sink, Statistics& statistics);
-  const Run* make_runs(uint32_t count, CornerCode& start, uint64_t& links);
+  WholeRegion region_found(uint64_t& links);
   bool send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics);
 
   Slots& slots() { return fragments_.slots(); }
@@ -62,7 +62,6 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
   Edges edges_;
   FoundPasses found_;
   Chains chains_;
-  Run run_[2 * (Chains::max_corners + 2)];
 };
 
 }  // namespace discmc::host

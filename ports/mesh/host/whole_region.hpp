@@ -2,32 +2,62 @@
 #ifndef DISCMC_MESH_HOST_WHOLE_REGION_HPP
 #define DISCMC_MESH_HOST_WHOLE_REGION_HPP
 
+#include <discmc/chain.hpp>
 #include <discmc/sink.hpp>
+#include "corner_code.hpp"
+#include "planes.hpp"
 
 namespace discmc {
 
-/// A region of one ring, with all runs of the ring. Most regions have one ring.
-struct WholeRegion {
-  Incidence incidence;
-  Vertex start;     ///< Units: half-steps
-  const Run* runs;  ///< Owner: the sender; valid during the call
-  uint32_t count;
+/// A region of one ring, by its corners in order from the last vertex on. Most regions have one
+/// ring. Owner: the sender; valid during the call.
+class WholeRegion {
+ public:
+  /// corners: CornerCode, `count` of them and the first once more.
+  WholeRegion(const uint64_t* corners, uint32_t count) : corners_(corners), count_(count) {}
+
+  Incidence incidence() const { return code(0).incidence(); }
+  uint32_t corner_count() const { return count_; }
+  /// Units: half-steps.
+  Vertex corner(uint32_t i) const { return code(i).vertex() + moved_by_; }
+  Vertex start() const { return corner(0); }
+  /// By how many directions of the plane the ring turns to the left at a corner.
+  uint32_t left_turn(uint32_t i) const {
+    const host::Planes& planes = host::plane_table.of[incidence()];
+    const uint32_t from = planes.direction[code(i).incoming()];
+    const uint32_t to = planes.direction[code(i).onwards()];
+    return to - from + (to < from ? planes.directions : 0U);
+  }
+  /// The side that begins at a corner.
+  Run run(uint32_t i) const {
+    return Run::straight(host::plane_table.of[incidence()].direction[code(i).onwards()],
+                         host::links_between(code(i), code(i + 1)));
+  }
+
+  void move(const Vertex& by) { moved_by_ = moved_by_ + by; }
+
+ private:
+  host::CornerCode code(uint32_t i) const { return host::CornerCode(corners_[i]); }
+
+  const uint64_t* corners_;
+  uint32_t count_;
+  Vertex moved_by_{};
 };
 
 /// Calls send(event) for the events of a region, until one is false. Returns the number sent.
 template <class Send>
 uint32_t send_events(const WholeRegion& region, Send send) {
   Event event{};
-  event.incidence = region.incidence;
-  event.start = region.start;
+  event.incidence = region.incidence();
+  event.start = region.start();
   uint32_t sent = 0;
   const auto send_kind = [&](Event::Kind kind) {
     event.kind = kind;
     return send(event) && ++sent > 0;
   };
   bool is_taken = send_kind(Event::Kind::region) && send_kind(Event::Kind::ring);
-  for (uint32_t i = 0; is_taken && i < region.count; ++i) {
-    event.run = region.runs[i];
+  for (uint32_t i = 0; is_taken && i < region.corner_count(); ++i) {
+    event.run = region.run(i);
     is_taken = send_kind(Event::Kind::run);
   }
   if (is_taken) send_kind(Event::Kind::region_end);

@@ -53,6 +53,12 @@ class Array {
     size_ += count;
   }
 
+  /// Values that are new are not written.
+  void resize(std::size_t size) {
+    if (size > capacity_) grow(size);
+    size_ = size;
+  }
+
   void swap(Array& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);

@@ -80,17 +80,22 @@ SinkResult SurfaceBuilder::accept(const Event& event) {
 }
 
 void SurfaceBuilder::accept_region(const WholeRegion& region) {
-  incidence_ = region.incidence;
+  incidence_ = region.incidence();
   rings_.clear();
   begin_polygon();
-  const Chain ring{region.start, region.runs, region.runs + region.count};
-  if (!add_simple_ring(ring)) {
-    add_touching_rings(ring, 0);
+  if (!add_corners(region) && !is_simple_in_window(0)) {
+    ends_.assign(corners_.begin(), corners_.end());
+    add_touching_rings(0);
     return end_polygon();
   }
   // It is an outer ring, and begins at its last vertex.
-  simple_rings_.push_back({0, corners_.size()});
-  keep_or_count();
+  if (kept_ == Kept::polygons) {
+    surface_.polygons.add_polygon(incidence_);
+    surface_.polygons.add_ring({corners_.begin(), corners_.end()});
+  } else {
+    simple_rings_.push_back({0, corners_.size()});
+    count_region();
+  }
 }
 
 void SurfaceBuilder::append(SurfaceBuilder&& other) {
@@ -124,7 +129,22 @@ bool SurfaceBuilder::is_sound(const Chain& chain) const {
   return is_always_inside && x == chain.start.x && y == chain.start.y && z == chain.start.z;
 }
 
-// Returns whether the ring turns to one side only, and once round. Most do, and are simple.
+// Returns whether the ring turns to the left only, and once round. Most do, and are simple.
+bool SurfaceBuilder::add_corners(const WholeRegion& region) {
+  const std::uint32_t count = region.corner_count(), round = direction_count(incidence_);
+  std::uint32_t turned = 0, greatest = 0;
+  corners_.resize(count);
+  Vertex* corner = corners_.begin();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    corner[i] = region.corner(i);
+    const std::uint32_t turn = region.left_turn(i);
+    turned += turn;
+    greatest = std::max(greatest, turn);
+  }
+  return turned == round && 2 * greatest < round;
+}
+
+// As above, to either side.
 bool SurfaceBuilder::add_corners(const Chain& chain) {
   if (chain.begin == chain.end) return false;
   const int round = direction_count(incidence_);
@@ -149,16 +169,19 @@ bool SurfaceBuilder::add_corners(const Chain& chain) {
 
 // Whether a ring meets no vertex twice: by a bit for each vertex of a window around it. Rings that
 // are larger are not looked at.
-bool SurfaceBuilder::is_simple_in_window(const Chain& chain, std::size_t first_corner) const {
+bool SurfaceBuilder::is_simple_in_window(std::size_t first_corner) const {
+  if (first_corner == corners_.size()) return true;
   constexpr std::int64_t size = 64;
   const Vertex out = incidence_normal(incidence_);
   const int left_out = out.z != 0 ? 2 : out.y != 0 ? 1 : 0;
   const int u_axis = (left_out + 1) % 3, v_axis = (left_out + 2) % 3;
-  std::int64_t min_u = component(chain.start, u_axis), min_v = component(chain.start, v_axis);
+  const Vertex* corner = corners_.data() + first_corner;
+  const Vertex* const end = corners_.data() + corners_.size();
+  std::int64_t min_u = component(*corner, u_axis), min_v = component(*corner, v_axis);
   std::int64_t u = min_u, v = min_v, max_u = u, max_v = v;
-  for (std::size_t i = first_corner; i < corners_.size(); ++i) {
-    const std::int64_t corner_u = component(corners_[i], u_axis);
-    const std::int64_t corner_v = component(corners_[i], v_axis);
+  for (const Vertex* other = corner; other != end; ++other) {
+    const std::int64_t corner_u = component(*other, u_axis);
+    const std::int64_t corner_v = component(*other, v_axis);
     min_u = std::min(min_u, corner_u);
     max_u = std::max(max_u, corner_u);
     min_v = std::min(min_v, corner_v);
@@ -166,11 +189,11 @@ bool SurfaceBuilder::is_simple_in_window(const Chain& chain, std::size_t first_c
   }
   if (max_u - min_u >= size || max_v - min_v >= size) return false;
   std::uint64_t rows[size] = {};
-  for (const Run* run = chain.begin; run != chain.end; ++run) {
-    const Vertex step = direction_vector(incidence_, run->direction());
-    for (std::uint32_t left = run->length(); left > 0; --left) {
-      u += component(step, u_axis);
-      v += component(step, v_axis);
+  for (const Vertex* from = corner; from != end; ++from) {
+    const Side side = side_between(*from, from + 1 != end ? from[1] : *corner);
+    for (std::int32_t left = side.links; left > 0; --left) {
+      u += component(side.link, u_axis);
+      v += component(side.link, v_axis);
       std::uint64_t& row = rows[v - min_v];
       const std::uint64_t bit = std::uint64_t{1} << (u - min_u);
       if ((row & bit) != 0) return false;
@@ -184,7 +207,7 @@ bool SurfaceBuilder::is_simple_in_window(const Chain& chain, std::size_t first_c
 // an extractor do.
 void SurfaceBuilder::end_ring() {
   const std::size_t begin = simple_rings_.empty() ? 0 : simple_rings_.back().end;
-  begin_at_last(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end());
+  begin_at_last(corners_.begin() + begin, corners_.end());
   simple_rings_.push_back({begin, corners_.size()});
 }
 
@@ -255,15 +278,9 @@ void SurfaceBuilder::add_touches_of(const Vertex& from, const Side& side) {
   for (const std::int32_t link : touches_) vertices_.push_back(after_links(from, side, link));
 }
 
-// Adds the corners. Returns whether they are certain to be a simple ring.
-bool SurfaceBuilder::add_simple_ring(const Chain& chain) {
-  const std::size_t first_corner = corners_.size();
-  return add_corners(chain) || is_simple_in_window(chain, first_corner);
-}
-
-// Divides a ring whose corners were added from first_corner on where it touches itself.
-void SurfaceBuilder::add_touching_rings(const Chain& chain, std::size_t first_corner) {
-  collect_ends(chain);
+// Divides a ring whose corners were added from first_corner on where it touches itself, by its
+// ends.
+void SurfaceBuilder::add_touching_rings(std::size_t first_corner) {
   if (!find_touches()) return end_ring();
   corners_.resize(first_corner);
   begin_at_last(vertices_.begin(), vertices_.end());
@@ -313,17 +330,19 @@ void SurfaceBuilder::end_region() {
       return;
     }
     const std::size_t first_corner = corners_.size();
-    if (add_simple_ring(ring))
+    if (add_corners(ring) || is_simple_in_window(first_corner)) {
       end_ring();
-    else
-      add_touching_rings(ring, first_corner);
+    } else {
+      collect_ends(ring);
+      add_touching_rings(first_corner);
+    }
   }
   end_polygon();
 }
 
 void SurfaceBuilder::begin_polygon() {
   simple_rings_.clear();
-  corners_.clear();
+  corners_.resize(0);
 }
 
 void SurfaceBuilder::end_polygon() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "array.hpp"
 #include "counts.hpp"
 #include "host/whole_region.hpp"
 #include "surface.hpp"
@@ -65,11 +66,11 @@ class SurfaceBuilder {
   void end_polygon();
   Chain chain(std::size_t ring) const;
   bool is_sound(const Chain& chain) const;
+  bool add_corners(const WholeRegion& region);
   bool add_corners(const Chain& chain);
-  bool is_simple_in_window(const Chain& chain, std::size_t first_corner) const;
+  bool is_simple_in_window(std::size_t first_corner) const;
   void end_ring();
-  bool add_simple_ring(const Chain& chain);
-  void add_touching_rings(const Chain& chain, std::size_t first_corner);
+  void add_touching_rings(std::size_t first_corner);
   void collect_ends(const Chain& chain);
   bool index_ends();
   bool is_end(const Vertex& vertex) const;
@@ -93,7 +94,7 @@ class SurfaceBuilder {
   std::vector<Run> runs_;
   std::vector<OctahedralNormal> normals_;  // where the runs start
   std::vector<Span> simple_rings_;
-  std::vector<Vertex> corners_;
+  Array<Vertex> corners_;
   // Buffers of one ring; here to keep the memory.
   std::vector<Vertex> ends_;          // its start and its corners
   std::vector<std::uint32_t> slots_;  // their places, by a hash

@@ -90,11 +90,9 @@ class Polygons {
     return SinkResult::accepted;
   }
   SinkResult accept_region(const WholeRegion& region) {
-    regions_.push_back({region.incidence, rings_.size()});
+    regions_.push_back({region.incidence(), rings_.size()});
     rings_.push_back({false, corners_.size()});
-    at_ = region.start;
-    direction_ = none;
-    for (uint32_t i = 0; i < region.count; ++i) add(region.runs[i]);
+    for (uint32_t i = 0; i < region.corner_count(); ++i) corners_.push_back(region.corner(i));
     return SinkResult::accepted;
   }
 

@@ -68,10 +68,10 @@ class Metered {
     return next_.accept(event);
   }
   SinkResult accept_region(const WholeRegion& region) {
-    efforts->of[part_].work += 3 + region.count;
-    efforts->of[before_].work += 3 + region.count;
-    for (uint32_t i = 0; i < region.count; ++i)
-      efforts->of[before_].work += region.runs[i].length();
+    efforts->of[part_].work += 3 + region.corner_count();
+    efforts->of[before_].work += 3 + region.corner_count();
+    for (uint32_t i = 0; i < region.corner_count(); ++i)
+      efforts->of[before_].work += region.run(i).length();
     const Running running_part(part_);
     return next_.accept_region(region);
   }
