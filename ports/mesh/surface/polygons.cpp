@@ -4,6 +4,21 @@
 #include <vector>
 
 namespace discmc::meshing {
+namespace {
+
+// In the order of the coordinates, from 0 on.
+std::uint64_t upwards(std::int32_t coordinate) {
+  return static_cast<std::uint32_t>(coordinate) ^ 0x80000000U;
+}
+
+}  // namespace
+
+// With the place of its first corner, which mostly decides.
+struct Polygons::Placed {
+  std::int32_t z;
+  std::uint64_t yx;
+  Record record;
+};
 
 // Polygons come nearly in this order: a row at a time, in layers of few coordinates z.
 void Polygons::sort() {
@@ -21,17 +36,29 @@ void Polygons::sort() {
   std::vector<std::size_t> ends(max_layers + 1);  // of each layer: first its begin
   for (const Record& record : records_) ++ends[layer_of(record) + 1];
   for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
-  Array<Record> in_order(records_);
+  Array<Record> in_order;
+  in_order.resize(records_.size());
   for (const Record& record : records_) in_order[ends[layer_of(record)]++] = record;
   std::size_t begin = 0;
+  Array<Placed> layer;
   for (const std::size_t end : ends) {
-    std::sort(in_order.begin() + begin, in_order.begin() + end,
-              [this](const Record& a, const Record& b) { return is_before(a, b); });
+    layer.resize(end - begin);
+    std::transform(in_order.begin() + begin, in_order.begin() + end, layer.begin(),
+                   [this](const Record& record) {
+                     const Vertex& at = first_corner(record);
+                     return Placed{at.z, upwards(at.y) << 32 | upwards(at.x), record};
+                   });
+    std::sort(layer.begin(), layer.end(), [this](const Placed& a, const Placed& b) {
+      if (a.z != b.z) return a.z < b.z;
+      return a.yx != b.yx ? a.yx < b.yx : is_before(a.record, b.record);
+    });
+    std::transform(layer.begin(), layer.end(), records_.begin() + begin,
+                   [](const Placed& placed) { return placed.record; });
     begin = end;
   }
-  records_ = std::move(in_order);
 }
 
+// Of two whose first corners are the same.
 bool Polygons::is_before(const Record& a, const Record& b) const {
   const auto begin_of = [this](const Record& record) {
     return corners_.begin() + ring_begins_[record.first_ring];
@@ -39,8 +66,6 @@ bool Polygons::is_before(const Record& a, const Record& b) const {
   const auto end_of = [this](const Record& record) {
     return corners_.begin() + ring_begins_[record.first_ring + record.rings];
   };
-  const Vertex &one = first_corner(a), &other = first_corner(b);
-  if (one != other) return precedes(one, other);
   if (a.incidence != b.incidence) return a.incidence < b.incidence;
   return std::lexicographical_compare(begin_of(a), end_of(a), begin_of(b), end_of(b), precedes);
 }

@@ -155,13 +155,14 @@ class Polygons {
     std::uint32_t first_ring, rings;
     Incidence incidence;
   };
+  struct Placed;
 
   const Vertex& first_corner(const Record& record) const {
     return corners_[ring_begins_[record.first_ring]];
   }
   bool is_before(const Record& a, const Record& b) const;
 
-  Array<Record> records_;             // one a polygon
+  Array<Record> records_;             // one per polygon
   Array<std::uint32_t> ring_begins_;  // in corners_; one more than rings
   Array<Vertex> corners_;
 };
