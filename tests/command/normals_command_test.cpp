@@ -18,12 +18,12 @@ const std::string layout = " --dims 16,16,16 --type u16 --big-endian";
 const std::vector<std::string> sources = {"surface", "gradient"};
 const std::vector<std::string> formats = {"ply", "obj", "glb", "vtp"};
 
-// A ball of radius 5 with a ramp of 100 a voxel about 1000.
+// A ball of radius 5 with a ramp of 100 per voxel about 1000.
 discmc::reference::SampleVolume<int> ball() {
   return discmc::reference::ramp_ball(extent, 5, {100, 1000, 2000});
 }
 
-// Big-endian, two bytes a sample.
+// Big-endian, two bytes per sample.
 const std::string ball_samples = [] {
   std::string samples;
   for (const int sample : ball().samples) {

@@ -14,7 +14,7 @@ const std::string layout = " --dims 16,16,16 --type u16 ";
 const std::string crop = " --crop 6..,..14,2..13 ";
 const std::string part_dims = " --dims 10,15,12 --type u16 ";
 
-// A ball of radius 5 with a ramp of 100 a voxel about 1000.
+// A ball of radius 5 with a ramp of 100 per voxel about 1000.
 std::vector<std::uint16_t> ball() {
   const auto volume = discmc::reference::ramp_ball(extent, 5, {100, 1000, 2000});
   return {volume.samples.begin(), volume.samples.end()};

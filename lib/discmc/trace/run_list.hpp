@@ -1,4 +1,4 @@
-// Lists of runs: circular, named by their last slot, three runs a slot.
+// Lists of runs: circular, named by their last slot, three runs per slot.
 #ifndef DISCMC_TRACE_RUN_LIST_HPP
 #define DISCMC_TRACE_RUN_LIST_HPP
 
@@ -36,7 +36,7 @@ struct RunLists {
     return second;
   }
 
-  /// Gives all slots of a list back. Limit: not empty. Cost: a step a slot.
+  /// Gives all slots of a list back. Limit: not empty. Cost: a step per slot.
   static void give(Slots& slots, Index last) {
     for (Index index = slots[last].linked.next;;) {
       const Index next = slots[index].linked.next;

@@ -38,7 +38,7 @@ struct NamedSelection {
 
 /// How a volume is read and its surface taken: of every command that takes one.
 struct VolumeArguments {
-  std::vector<NamedSelection> selections;  ///< one a surface
+  std::vector<NamedSelection> selections;  ///< one per surface
   Border border = Border::closed;
   std::uint32_t median = 0;  ///< voxels across the filter of bits; 0: none
   std::string mask;          ///< the file of a volume, or none

@@ -31,7 +31,7 @@ using SurfaceReceivers = std::vector<std::unique_ptr<SurfaceReceiver>>;
 
 /// A stream that was written.
 struct ExtractedStream {
-  std::vector<Extraction> extractions;  ///< one a surface, in the order of the selections
+  std::vector<Extraction> extractions;  ///< one per surface, in the order of the selections
   SurfaceReceivers receivers;           ///< with the counts, unless quiet
   std::uint64_t slice_bytes = 0;        ///< of a stream of slices
   std::size_t slice_memory = 0;         ///< that its encoder took; Units: bytes

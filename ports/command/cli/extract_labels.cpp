@@ -1,4 +1,4 @@
-// discmc extract --labels all: a segmentation to meshes, one a label.
+// discmc extract --labels all: a segmentation to meshes, one per label.
 #include <algorithm>
 #include <iomanip>
 #include <map>

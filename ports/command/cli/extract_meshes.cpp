@@ -1,4 +1,4 @@
-// discmc extract -o FILE.stl: a volume to meshes, one a surface.
+// discmc extract -o FILE.stl: a volume to meshes, one per surface.
 #include <optional>
 #include <stdexcept>
 #include <string>

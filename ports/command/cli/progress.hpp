@@ -10,8 +10,8 @@ namespace discmc::command {
 /// "extracting 45 %"; where all is not known (0), "row 45", or the phase alone.
 std::string progress_text(const std::string& phase, std::uint64_t done, std::uint64_t all);
 
-/// A phase of a job. It is shown in place a few times a second, and cleared when all is done or the
-/// phase ends. One that begins within another takes its place.
+/// A phase of a job. It is shown in place a few times per second, and cleared when all is done or
+/// the phase ends. One that begins within another takes its place.
 class Progress {
  public:
   /// all: 0 when not known.

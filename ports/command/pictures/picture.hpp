@@ -33,7 +33,7 @@ struct PictureOptions {
   Shading shading = Shading::flat;
   bool outlines = false;             ///< thin dark lines around the merged polygons
   Srgb colour = {224, 186, 146};     ///< of the surface
-  std::vector<Srgb> face_colours{};  ///< one a face in place of it, or none
+  std::vector<Srgb> face_colours{};  ///< one per face in place of it, or none
 };
 
 /// Rows from top to bottom, three bytes (red, green, blue; sRGB) a pixel.

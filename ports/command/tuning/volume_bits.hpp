@@ -13,7 +13,7 @@
 
 namespace discmc::command {
 
-/// An eighth of a byte a voxel.
+/// An eighth of a byte per voxel.
 class VolumeBits {
  public:
   /// Reads the volume to its end. options: the selection, the border, the filter, the mask and the

@@ -62,7 +62,7 @@ struct Box {
 };
 
 /// A binary tree of boxes, in which those near to each other are mostly together.
-/// Memory: 44 to 56 bytes a box. Time: n log n to build for n boxes.
+/// Memory: 44 to 56 bytes per box. Time: n log n to build for n boxes.
 class BoxTree {
  public:
   /// Limit: fewer than 2^32.

@@ -193,7 +193,7 @@ class InterpolatedMesh {
   MovedTriangles refined_;
   std::vector<Point> moved_;  // where the corners and junctions are moved to; Units: half-steps
   FaceMesh mesh_;
-  std::vector<bool> leaves_out_;  // one a face, as in MovedTriangles
+  std::vector<bool> leaves_out_;  // one per face, as in MovedTriangles
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ using FacePair = std::array<std::uint32_t, 2>;
 
 /// Returns any two of these faces that have more points in common than the vertices and edges that
 /// they share. Two that lie in one plane are not looked at. Limit: triangles.
-/// check, jobs: as MeshingOptions. is_wanted: one a face of the mesh, or none; then each pair has
+/// check, jobs: as MeshingOptions. is_wanted: one per face of the mesh, or none; then each pair has
 /// one that is wanted. Time: n log n for n faces, and the pairs that are next to each
 /// other.
 std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces,

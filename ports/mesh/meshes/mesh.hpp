@@ -49,14 +49,14 @@ struct FaceMesh {
   Point spacing_mm{};                      ///< as in Surface
   std::vector<Point> vertices_mm;          ///< one for each corner of the surface, and more of an
                                            ///< interpolated one
-  std::vector<Vertex> lattice;             ///< one a vertex: its position before it was moved, if
+  std::vector<Vertex> lattice;             ///< one per vertex: its position before it was moved, if
                                            ///< it was; the cell of a decimated one; none in others
   std::vector<std::uint32_t> corners;      ///< vertex numbers, face after face
   std::vector<std::size_t> face_begin{0};  ///< face f: corners face_begin[f] to face_begin[f + 1]
-  /// One a face; none where faces lie in any plane, or the mesh has been placed.
+  /// One per face; none where faces lie in any plane, or the mesh has been placed.
   std::vector<Incidence> incidences;
-  std::vector<std::uint32_t> polygons;  ///< one a face: its place in Surface::polygons
-  /// One a vertex, or none at all: unit vectors that point outside, zero where there is none.
+  std::vector<std::uint32_t> polygons;  ///< one per face: its place in Surface::polygons
+  /// One per vertex, or none at all: unit vectors that point outside, zero where there is none.
   std::vector<Point> normals;
   /// Places in Surface::polygons of those that have no face here: they are not valid (Ring,
   /// Polygon) and cannot be triangulated.

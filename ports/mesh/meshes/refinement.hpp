@@ -19,9 +19,9 @@ namespace discmc::meshing {
 /// The triangles of a polygon, and where their corners are moved to.
 struct MovedTriangles {
   std::vector<PlanePoint> points;
-  std::vector<Point> moved;  ///< one a point; Units: half-steps
+  std::vector<Point> moved;  ///< one per point; Units: half-steps
   std::vector<Triangle> triangles;
-  /// One a triangle: false if all crossings in it and on its sides are points. Set by
+  /// One per triangle: false if all crossings in it and on its sides are points. Set by
   /// Refinement::refine().
   std::vector<bool> leaves_out;
 };

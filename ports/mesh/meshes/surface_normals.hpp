@@ -8,8 +8,8 @@
 
 namespace discmc::meshing {
 
-/// Unit normals, one a vertex. Vertices at equal positions are one. Zero where no face is, or where
-/// those that are cancel each other out.
+/// Unit normals, one per vertex. Vertices at equal positions are one. Zero where no face is, or
+/// where those that are cancel each other out.
 ///
 /// For a merged mesh, which has incidences: the mean of the polygons that meet there, each by the
 /// root of its area. So large walls stay plain and the narrow facets between them are rounded, and

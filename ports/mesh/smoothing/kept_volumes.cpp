@@ -372,7 +372,7 @@ class VolumeKeeper {
     return moves;
   }
 
-  // places: one a piece, none before and after.
+  // places: one per piece, none before and after.
   std::vector<Wall> walls_of(const Piece& piece, std::vector<std::uint32_t>& places) const {
     std::vector<Wall> walls = {{no_piece, 0}};
     for (const Piece::Edge& edge : piece.edges) {

@@ -10,8 +10,8 @@
 
 namespace discmc::web {
 
-/// A bit a vertex, in blocks of 8 x 8 x 8 half-steps, where there are any: surfaces are thin.
-/// Memory: four bytes a block of the box around all, and 64 a block with corners.
+/// A bit per vertex, in blocks of 8 x 8 x 8 half-steps, where there are any: surfaces are thin.
+/// Memory: four bytes per block of the box around all, and 64 per block with corners.
 class CornerSet {
  public:
   static constexpr std::int32_t max_coordinate = 32767;

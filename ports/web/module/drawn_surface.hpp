@@ -34,12 +34,12 @@ class DrawnSurface {
   void make(const meshing::Polygons& polygons);
 
   const std::vector<DrawnVertex>& vertices() const { return vertices_; }
-  /// Numbers of vertices, three a triangle, counter-clockwise from outside as the lattice has it.
+  /// Numbers of vertices, three per triangle, counter-clockwise from outside as the lattice has it.
   /// In the order of the incidences, so that those which face away can be left out.
   const std::vector<std::uint32_t>& triangles() const { return triangles_; }
   /// Where in triangles() those of each incidence end.
   const std::vector<std::uint32_t>& triangle_ends() const { return triangle_ends_; }
-  /// Numbers of vertices, two an edge of a polygon, which the polygons on its sides both have.
+  /// Numbers of vertices, two per edge of a polygon, which the polygons on its sides both have.
   const std::vector<std::uint32_t>& edges() const { return edges_; }
   std::uint32_t left_out() const { return left_out_; }
 

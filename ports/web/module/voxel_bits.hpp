@@ -12,7 +12,7 @@ namespace discmc::web {
 /// Rows of bits as Extractor::push_bits() takes them: eight voxels a byte, the first in bit 0.
 class VoxelBits {
  public:
-  /// A voxel is on where its value is >= iso. Memory: an eighth of a byte a voxel.
+  /// A voxel is on where its value is >= iso. Memory: an eighth of a byte per voxel.
   void select(const MemoryVolume& volume, double iso);
   /// Takes noise away: see majority_filter.hpp. Limit: after select().
   void filter();

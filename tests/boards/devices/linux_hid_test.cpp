@@ -56,7 +56,7 @@ struct Receiver {
   RowAssembler assembler;
 };
 
-// 150 bytes a row: two full reports and one of 38 bytes.
+// 150 bytes per row: two full reports and one of 38 bytes.
 const ScanPlan plan = plan_of(150, 10, 20);
 constexpr std::size_t chunks = 3;
 

@@ -18,7 +18,7 @@ struct Size {
 /// A whole volume in memory; anywhere outside it is off.
 struct BitVolume {
   uint32_t width, height, depth;
-  std::vector<uint8_t> on;  ///< 0 or 1 a voxel; x runs fastest, then y, then z
+  std::vector<uint8_t> on;  ///< 0 or 1 per voxel; x runs fastest, then y, then z
 
   explicit BitVolume(Size size)
       : width(size.width), height(size.height), depth(size.depth), on(voxels()) {}
