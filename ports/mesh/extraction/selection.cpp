@@ -1,11 +1,8 @@
 #include "selection.hpp"
 #include "samples/iso_value.hpp"
 
-#include <discmc/base/compiler.hpp>
-
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <type_traits>
 
 namespace discmc::meshing {
@@ -81,10 +78,9 @@ SampleRange<Sample> selected_floating(const SampleGrid& info, const Selection& s
 // Eight flags of a byte each to eight bits, the first one lowest: the product has all in its
 // highest byte.
 std::uint8_t packed(const std::uint8_t* flags) {
-  constexpr std::uint64_t to_highest = is_little_endian ? 0x0102040810204080 : 0x8040201008040201;
   std::uint64_t word = 0;
-  std::memcpy(&word, flags, sizeof word);
-  return static_cast<std::uint8_t>(word * to_highest >> 56);
+  for (unsigned i = 0; i < 8; ++i) word |= std::uint64_t{flags[i]} << (8 * i);
+  return static_cast<std::uint8_t>(word * 0x0102040810204080 >> 56);
 }
 
 // is_on: without a branch, and a copy, so that compilers take many at once.
