@@ -58,7 +58,7 @@ void Polygons::sort() {
   }
 }
 
-// Of two whose first corners are the same.
+// Compares two whose first corners are the same.
 bool Polygons::is_before(const Record& a, const Record& b) const {
   const auto begin_of = [this](const Record& record) {
     return corners_.begin() + ring_begins_[record.first_ring];
