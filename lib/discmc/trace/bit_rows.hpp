@@ -71,8 +71,8 @@ class BitRows {
   /// sample far below the threshold, 5 to 15 for others and for samples that are not consecutive.
   template <class Sample>
   void append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold);
-  /// Fills the whole row from bits, eight voxels per byte, the first in bit 0. Limit: column() ==
-  /// 0.
+  /// Fills the whole row from bits, eight voxels per byte, the first in bit 0.
+  /// Limit: column() == 0.
   void append_bits(const uint8_t* bits);
   /// The row that arrives, as append_bits() takes it. Limit: all of it is there.
   void write_bits(uint8_t* bits) const;
