@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "hand_made.hpp"
+#include "host/host_scan.hpp"
 #include "oracle/stream_samples.hpp"
 #include "test.hpp"
 
@@ -158,6 +159,32 @@ TEST_CASE("all rings of all regions are simple, one of them outer") {
   }
 }
 
+TEST_CASE("regions accepted whole become the polygons of their events") {
+  struct Whole {
+    SurfaceBuilder builder{};
+    SinkResult accept(const Event& event) { return builder.accept(event); }
+    SinkResult accept_region(const WholeRegion& region) {
+      builder.accept_region(region);
+      return SinkResult::accepted;
+    }
+  };
+  for (const std::uint32_t density : {60U, 128U, 200U}) {
+    const discmc::reference::BitVolume volume =
+        discmc::reference::random({12, 12, 12}, density, density);
+    Whole whole;
+    HostScan scan;
+    scan.start({12, 12}, make_sink(whole), make_region_receiver(whole));
+    for (std::size_t row = 0; row < volume.on.size(); row += 12) {
+      std::uint8_t bits[2] = {};
+      for (std::size_t x = 0; x < 12; ++x)
+        bits[x / 8] = static_cast<std::uint8_t>(bits[x / 8] | volume.on[row + x] << x % 8);
+      scan.push(bits);
+    }
+    scan.finish();
+    CHECK(are_same(whole.builder.surface(), build(events_of(volume)).surface()));
+  }
+}
+
 TEST_CASE("rings that do not close or enclose nothing are no regions") {
   const std::vector<std::vector<std::vector<Run>>> wrong = {
       {{run(east, 3), run(north, 2), run(west, 3)}},
@@ -222,16 +249,15 @@ TEST_CASE("regions that are only counted give the figures of regions that are ke
 }
 
 TEST_CASE("polygons are sorted by their last vertices, from below") {
+  // The heights are so far apart that polygons of two of them are sorted together.
+  const Corners order = {{1, 2, -1}, {9, -1, 0}, {-1, 4, 0},    {7, 4, 0},
+                         {3, 6, 0},  {1, 0, 8},  {9, 8, 5'997}, {1, 0, 5'998}};
   discmc::meshing::Polygons polygons;
-  const std::vector<Corners> rings = {{{7, 4, 8}, {1, 4, 8}, {1, 0, 8}},
-                                      {{9, 4, 0}, {1, 4, 0}, {1, 0, 0}},
-                                      {{7, 4, 0}, {1, 4, 0}, {1, 0, 0}},
-                                      {{1, 2, -1}, {1, 1, -1}, {1, 0, -1}}};
-  for (const Corners& ring : rings) {
-    polygons.add_polygon(discmc::incidence_of({0, 0, 1}));
+  for (std::size_t i = order.size(); i-- > 0;) {
+    const Corners ring = {order[i], order[i] + west, order[i] + west + south};
+    polygons.add_polygon(up);
     polygons.add_ring({ring.data(), ring.data() + ring.size()});
   }
   polygons.sort();
-  const std::size_t order[] = {3, 2, 1, 0};
-  for (std::size_t i = 0; i < 4; ++i) CHECK(rings_of(polygons[i])[0] == rings[order[i]]);
+  for (std::size_t i = 0; i < order.size(); ++i) CHECK(polygons[i].rings[0][0] == order[i]);
 }

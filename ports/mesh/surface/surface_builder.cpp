@@ -129,22 +129,21 @@ bool SurfaceBuilder::is_sound(const Chain& chain) const {
   return is_always_inside && x == chain.start.x && y == chain.start.y && z == chain.start.z;
 }
 
-// Returns whether the ring turns to the left only, and once round. Most do, and are simple.
+// Returns whether the ring turns to the left only. Most do, and are simple, as no ring of a sweep
+// crosses itself.
 bool SurfaceBuilder::add_corners(const WholeRegion& region) {
   const std::uint32_t count = region.corner_count(), round = direction_count(incidence_);
-  std::uint32_t turned = 0, greatest = 0;
+  std::uint32_t greatest = 0;
   corners_.resize(count);
   Vertex* corner = corners_.begin();
   for (std::uint32_t i = 0; i < count; ++i) {
     corner[i] = region.corner(i);
-    const std::uint32_t turn = region.left_turn(i);
-    turned += turn;
-    greatest = std::max(greatest, turn);
+    greatest = std::max(greatest, region.left_turn(i));
   }
-  return turned == round && 2 * greatest < round;
+  return 2 * greatest < round;
 }
 
-// As above, to either side.
+// Returns whether the ring turns to one side only, and once round. Most do, and are simple.
 bool SurfaceBuilder::add_corners(const Chain& chain) {
   if (chain.begin == chain.end) return false;
   const int round = direction_count(incidence_);
