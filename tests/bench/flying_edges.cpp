@@ -1,11 +1,8 @@
 #include "flying_edges.hpp"
 
-#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
 #include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -14,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "vtk_image.hpp"
 
 namespace discmc::bench {
 
@@ -65,16 +64,9 @@ Vertex edge_of(const std::array<double, 3>& at) {
 FaceMesh flying_edges(VolumeReader& volume, double level) {
   const VolumeInfo& info = volume.info();
   const std::vector<float> samples = surrounded(volume, static_cast<float>(level));
-  vtkNew<vtkAOSDataArrayTemplate<float>> array;
-  constexpr int keep_memory = 1;
-  array->SetArray(const_cast<float*>(samples.data()), static_cast<vtkIdType>(samples.size()),
-                  keep_memory);
-  vtkNew<vtkImageData> image;
-  image->SetExtent(-1, static_cast<int>(info.dims[0]), -1, static_cast<int>(info.dims[1]), -1,
-                   static_cast<int>(info.dims[2]));
-  image->GetPointData()->SetScalars(array);
   vtkNew<vtkFlyingEdges3D> filter;
-  filter->SetInputData(image);
+  filter->SetInputData(
+      image_of(samples, {info.dims[0] + 2, info.dims[1] + 2, info.dims[2] + 2}, -1));
   filter->SetValue(0, level);
   filter->ComputeNormalsOff();
   filter->Update();

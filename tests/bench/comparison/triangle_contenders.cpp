@@ -1,19 +1,18 @@
 #include <meshoptimizer.h>
-#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
 #include <vtkDecimatePro.h>
 #include <vtkDiscreteFlyingEdges3D.h>
 #include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTypeInt64Array.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
+#include "../vtk_image.hpp"
 #include "contenders.hpp"
 
 namespace discmc::bench {
@@ -23,18 +22,8 @@ namespace {
 // The largest distance of merged triangles from their plane. Units: voxels.
 constexpr double tolerance = 0.1;
 
-// The samples as they lie in memory; they must outlive the image.
-template <class Sample>
-vtkSmartPointer<vtkImageData> image_of(const Volume& volume, const std::vector<Sample>& samples) {
-  vtkNew<vtkAOSDataArrayTemplate<Sample>> array;
-  constexpr int keep_memory = 1;
-  array->SetArray(const_cast<Sample*>(samples.data()), static_cast<vtkIdType>(samples.size()),
-                  keep_memory);
-  const auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(static_cast<int>(volume.width), static_cast<int>(volume.height),
-                       static_cast<int>(volume.depth));
-  image->GetPointData()->SetScalars(array);
-  return image;
+std::array<uint32_t, 3> dims_of(const Volume& volume) {
+  return {volume.width, volume.height, volume.depth};
 }
 
 template <class Filter>
@@ -48,7 +37,7 @@ void make_triangles_alone(Filter& filter) {
 class MidpointTriangles {
  public:
   explicit MidpointTriangles(const Volume& volume) : on_(voxels_on(volume)) {
-    filter_->SetInputData(image_of(volume, on_));
+    filter_->SetInputData(image_of(on_, dims_of(volume)));
     filter_->SetValue(0, 1);
     make_triangles_alone(*filter_);
   }
@@ -92,8 +81,8 @@ uint64_t simplify(vtkPolyData& triangles) {
 
 Contender flying_edges(const Volume& volume) {
   const auto filter = vtkSmartPointer<vtkFlyingEdges3D>::New();
-  filter->SetInputData(
-      std::visit([&](const auto& samples) { return image_of(volume, samples); }, volume.samples));
+  filter->SetInputData(std::visit(
+      [&](const auto& samples) { return image_of(samples, dims_of(volume)); }, volume.samples));
   // Between the samples, so that the same voxels are on and no triangle is empty.
   filter->SetValue(0, volume.threshold - 0.5);
   make_triangles_alone(*filter);
