@@ -5,7 +5,7 @@
 #include <discmc/chain.hpp>
 #include <discmc/sink.hpp>
 #include "corner_code.hpp"
-#include "planes.hpp"
+#include "direction_table.hpp"
 
 namespace discmc {
 
@@ -23,20 +23,18 @@ class WholeRegion {
   Vertex start() const { return corner(0); }
   /// By how many directions of the plane the ring turns to the left at a corner.
   uint32_t left_turn(uint32_t i) const {
-    const host::Planes& planes = host::plane_table.of[incidence()];
-    const uint32_t from = planes.direction[code(i).incoming()];
-    const uint32_t to = planes.direction[code(i).onwards()];
-    return to - from + (to < from ? planes.directions : 0U);
+    const uint32_t from = direction(code(i).incoming()), to = direction(code(i).onwards());
+    return to - from + (to < from ? direction_count(incidence()) : 0U);
   }
   /// The side that begins at a corner.
   Run run(uint32_t i) const {
-    return Run::straight(host::plane_table.of[incidence()].direction[code(i).onwards()],
-                         host::links_between(code(i), code(i + 1)));
+    return Run::straight(direction(code(i).onwards()), host::links_between(code(i), code(i + 1)));
   }
 
   void move(const Vertex& by) { moved_by_ = moved_by_ + by; }
 
  private:
+  Direction direction(Link link) const { return host::direction_table.of[incidence()][link]; }
   host::CornerCode code(uint32_t i) const { return host::CornerCode(corners_[i]); }
 
   const uint64_t* corners_;

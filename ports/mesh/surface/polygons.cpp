@@ -4,19 +4,10 @@
 #include <vector>
 
 namespace discmc::meshing {
-namespace {
 
-// In the order of the coordinates, from 0 on.
-std::uint64_t upwards(std::int32_t coordinate) {
-  return static_cast<std::uint32_t>(coordinate) ^ 0x80000000U;
-}
-
-}  // namespace
-
-// With the place of its first corner, which mostly decides.
+// With its first corner, which mostly decides.
 struct Polygons::Placed {
-  std::int32_t z;
-  std::uint64_t yx;
+  Vertex at;
   Record record;
 };
 
@@ -45,12 +36,10 @@ void Polygons::sort() {
     layer.resize(end - begin);
     std::transform(in_order.begin() + begin, in_order.begin() + end, layer.begin(),
                    [this](const Record& record) {
-                     const Vertex& at = first_corner(record);
-                     return Placed{at.z, upwards(at.y) << 32 | upwards(at.x), record};
+                     return Placed{first_corner(record), record};
                    });
     std::sort(layer.begin(), layer.end(), [this](const Placed& a, const Placed& b) {
-      if (a.z != b.z) return a.z < b.z;
-      return a.yx != b.yx ? a.yx < b.yx : is_before(a.record, b.record);
+      return a.at != b.at ? precedes(a.at, b.at) : is_before(a.record, b.record);
     });
     std::transform(layer.begin(), layer.end(), records_.begin() + begin,
                    [](const Placed& placed) { return placed.record; });

@@ -89,13 +89,8 @@ void SurfaceBuilder::accept_region(const WholeRegion& region) {
     return end_polygon();
   }
   // It is an outer ring, and begins at its last vertex.
-  if (kept_ == Kept::polygons) {
-    surface_.polygons.add_polygon(incidence_);
-    surface_.polygons.add_ring({corners_.begin(), corners_.end()});
-  } else {
-    simple_rings_.push_back({0, corners_.size()});
-    count_region();
-  }
+  simple_rings_.push_back({0, corners_.size()});
+  keep_or_count();
 }
 
 void SurfaceBuilder::append(SurfaceBuilder&& other) {

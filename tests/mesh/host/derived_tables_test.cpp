@@ -1,7 +1,7 @@
 // The tables of the host's sweep, which the compiler derives, derived once more at run time.
 //
 // The source is compiled in here; the library's object of it is then not linked.
-#include "host/planes.hpp"
+#include "host/direction_table.hpp"
 #include "host/ray_table.cpp"
 
 #include <string.h>
@@ -39,9 +39,9 @@ TEST_CASE("the ends of rays derived at run time equal those of the compiler") {
 }
 
 TEST_CASE("directions of planes derived at run time equal those of the compiler") {
-  PlaneTable table{};
-  table = derive::plane_table();
-  CHECK(are_same(table, plane_table));
+  DirectionTable table{};
+  table = derive::direction_table();
+  CHECK(are_same(table, direction_table));
 }
 
 TEST_CASE("link measures derived at run time equal those of the compiler") {

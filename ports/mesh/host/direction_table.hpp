@@ -1,0 +1,26 @@
+// The directions of links in the planes of an incidence.
+#ifndef DISCMC_MESH_HOST_DIRECTION_TABLE_HPP
+#define DISCMC_MESH_HOST_DIRECTION_TABLE_HPP
+
+#include <discmc/lattice.hpp>
+
+namespace discmc::host {
+
+/// What direction_of() returns, at hand.
+struct DirectionTable {
+  Direction of[incidence_codes][link_codes];
+};
+namespace derive {
+constexpr DirectionTable direction_table() {
+  DirectionTable table{};
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    for (Direction direction = 0; direction < direction_count(incidence); ++direction)
+      table.of[incidence][link_of(incidence, direction)] = direction;
+  return table;
+}
+}  // namespace derive
+inline constexpr DirectionTable direction_table = derive::direction_table();
+
+}  // namespace discmc::host
+
+#endif
