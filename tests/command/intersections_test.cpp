@@ -121,7 +121,7 @@ TEST_CASE("a tree finds any two boxes that overlap, and each two once") {
     }
     std::vector<std::vector<int>> calls(count, std::vector<int>(count));
     const BoxTree tree(boxes);
-    for (const BoxTree::NodePair& part : tree.parts())
+    for (std::size_t part = 0; part < tree.part_count(); ++part)
       tree.for_each_near_pair(part, [&](std::uint32_t a, std::uint32_t b) {
         ++calls[a][b];
         ++calls[b][a];
@@ -131,5 +131,27 @@ TEST_CASE("a tree finds any two boxes that overlap, and each two once") {
       for (std::size_t b = 0; b < count; ++b)
         are_right &= calls[a][b] == (a != b && boxes[a].overlaps(boxes[b]) ? 1 : 0);
     CHECK(are_right);
+  }
+}
+
+TEST_CASE("boxes along a curve: from one to the next it is one step, if they fill a cube") {
+  std::vector<Box> boxes;
+  const auto add = [&boxes](double x, double y, double z) {
+    boxes.emplace_back(Corners{{{x, y, z}, {x, y, z}, {x, y, z}}});
+  };
+  for (std::uint32_t i = 0; i < 512; ++i) add(i % 8 + 0.5, i / 8 % 8 + 0.5, i / 64 + 0.5);
+  add(0, 0, 0);
+  add(1023, 1023, 1023);
+  const std::vector<std::uint32_t> along = along_curve(boxes);
+  REQUIRE(along.size() == 514);
+  std::vector<std::uint32_t> cube;
+  for (const std::uint32_t place : along)
+    if (place < 512) cube.push_back(place);
+  for (std::size_t i = 1; i < cube.size(); ++i) {
+    int steps = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      steps += static_cast<int>(std::fabs(boxes[cube[i]].low[axis] - boxes[cube[i - 1]].low[axis]) +
+                                0.5F);
+    CHECK(steps == 1);
   }
 }

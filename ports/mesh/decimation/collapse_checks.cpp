@@ -137,31 +137,34 @@ bool keeps_shape(const Collapse& collapse, const CollapsingMesh& mesh) {
 bool keeps_apart(const Collapse& collapse, const CollapsingMesh& mesh, const BoxTree& tree) {
   const bool is_simple = !mesh.is_border(collapse.kept) && is_simple_fan(collapse);
   std::vector<PlacedTriangle> moved;
-  std::vector<Box> boxes;
+  std::vector<FourBoxes> boxes((collapse.moved.size() + 3) / 4);
   moved.reserve(collapse.moved.size());
-  boxes.reserve(collapse.moved.size());
   Box all;
   for (const Collapse::Moved& each : collapse.moved) {
-    moved.push_back({each.numbers.data(), each.after, TriangleNormal(each.after)});
-    for (std::size_t i = 0; !is_simple && i + 1 < moved.size(); ++i)
+    const std::size_t place = moved.size();
+    moved.push_back({each.numbers.data(), each.after});
+    for (std::size_t i = 0; !is_simple && i < place; ++i)
       if (collide(moved[i], moved.back())) return false;
-    boxes.emplace_back(each.after);
-    all.include(boxes.back());
+    const Box box(each.after);
+    boxes[place / 4].set(place % 4, box);
+    all.include(box);
     all.include(Box(each.before));
   }
   for (const std::uint32_t removed : collapse.removed) all.include(Box(mesh.corners(removed)));
 
   const std::uint32_t body = mesh.body(collapse.kept);
-  return !tree.any_near(all, [&](std::uint32_t triangle) {
+  return !tree.any_near(all, [&](std::uint32_t triangle, const Box& box) {
     const Triangle& numbers = mesh.triangle(triangle);
     for (const std::uint32_t number : numbers)
       if (number == collapse.kept || number == collapse.gone) return false;
-    const Corners corners = mesh.corners(triangle);
-    const Box box(corners);
-    const PlacedTriangle other{numbers.data(), corners, TriangleNormal(corners)};
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      if (boxes[i].overlaps(box) && collide(moved[i], other)) return true;
-    return mesh.body(numbers[0]) != body && is_passed(corners[0], collapse, mesh);
+    for (std::size_t i = 0; i < moved.size(); i += 4) {
+      const unsigned near = boxes[i / 4].overlaps(box);
+      for (std::size_t j = i; near >> (j - i) != 0; ++j)
+        if ((near >> (j - i) & 1U) != 0 &&
+            collide(moved[j], {numbers.data(), mesh.corners(triangle)}))
+          return true;
+    }
+    return mesh.body(numbers[0]) != body && is_passed(mesh.point(numbers[0]), collapse, mesh);
   });
 }
 

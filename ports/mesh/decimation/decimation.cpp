@@ -37,11 +37,37 @@ double extent(const std::vector<Point>& points) {
   return 2 * std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
 }
 
-std::vector<Triangle> triangles_of(const FaceMesh& mesh) {
-  std::vector<Triangle> triangles(mesh.face_count());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    std::copy_n(mesh.face(i), 3, triangles[i].begin());
-  return triangles;
+struct SharedTriangles {
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+};
+
+// Those of the mesh, numbered along a curve: what is near is then near in memory, too.
+SharedTriangles triangles_along_curve(const FaceMesh& mesh) {
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.face_count());
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const std::uint32_t* of = mesh.face(face);
+    boxes.emplace_back(
+        Corners{mesh.vertices_mm[of[0]], mesh.vertices_mm[of[1]], mesh.vertices_mm[of[2]]});
+  }
+  constexpr std::uint32_t none = ~0U;
+  std::vector<std::uint32_t> numbers(mesh.vertices_mm.size(), none);
+  SharedTriangles result;
+  result.points.reserve(numbers.size());
+  result.triangles.reserve(boxes.size());
+  for (const std::uint32_t face : along_curve(boxes)) {
+    Triangle& triangle = result.triangles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t& number = numbers[mesh.face(face)[i]];
+      if (number == none) {
+        number = static_cast<std::uint32_t>(result.points.size());
+        result.points.push_back(mesh.vertices_mm[mesh.face(face)[i]]);
+      }
+      triangle[i] = number;
+    }
+  }
+  return result;
 }
 
 // The step that gets below the number of triangles is done in one order, up to it. A first step
@@ -50,9 +76,9 @@ std::vector<Triangle> triangles_of(const FaceMesh& mesh) {
 DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
                            const std::function<void()>& check) {
   constexpr std::uint64_t likely_part = 8;
-  const OriginalSurface original(mesh.vertices_mm, triangles_of(mesh));
-  DecimatedSurface surface{
-      mesh.vertices_mm, triangles_of(mesh), {mesh.vertices_mm.size(), mesh.face_count()}};
+  const auto [points, triangles] = triangles_along_curve(mesh);
+  const OriginalSurface original(points, triangles);
+  DecimatedSurface surface{points, triangles, {points.size(), triangles.size()}};
   const double beyond_all = extent(mesh.vertices_mm);
   const double last =
       decimation.max_error_mm > 0 ? std::min(decimation.max_error_mm, beyond_all) : beyond_all;
@@ -105,7 +131,7 @@ std::array<Vertex, 2> extent_of(const std::vector<Vertex>& lattice) {
 }  // namespace
 
 void decimate(FaceMesh& mesh, const Decimation& decimation, const std::function<void()>& check) {
-  if (mesh.face_count() == 0) return;
+  if (mesh.face_count() <= decimation.triangles) return;
   DecimatedSurface surface = decimated(mesh, decimation, check);
   mesh.vertices_mm = std::move(surface.points);
   mesh.corners.clear();

@@ -52,8 +52,10 @@ bool OriginalSurface::is_near(const Point& point, double distance) const {
     last_ = triangle;
     return true;
   };
-  return is_triangle_near(last_) ||
-         tree_.any_near(box_around(point, distance), last_, is_triangle_near);
+  return is_triangle_near(last_) || tree_.any_near(box_around(point, distance), last_,
+                                                   [&](std::uint32_t triangle, const Box&) {
+                                                     return is_triangle_near(triangle);
+                                                   });
 }
 
 bool OriginalSurface::is_near(const Collapse& collapse, double distance) const {

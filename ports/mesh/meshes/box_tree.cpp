@@ -3,7 +3,9 @@
 namespace discmc::meshing {
 namespace {
 
-// The lowest ten bits of a number, two bits apart.
+constexpr std::uint32_t bits_an_axis = 10;
+
+// The bits of a number, two bits apart.
 std::uint32_t spread(std::uint32_t number) {
   number = (number | number << 16) & 0x030000FF;
   number = (number | number << 8) & 0x0300F00F;
@@ -11,18 +13,35 @@ std::uint32_t spread(std::uint32_t number) {
   return (number | number << 2) & 0x09249249;
 }
 
-// The place of a box on a curve through space on which neighbours are mostly near: the bits of its
-// three coordinates in turn (G. M. Morton, 1966).
+// The place of a point on Hilbert's curve (J. Skilling, Programming the Hilbert Curve, 2004). The
+// curve fills a cube and steps from neighbour to neighbour, so the boxes of a part of it are
+// compact.
+std::uint32_t place_on_curve(std::array<std::uint32_t, 3> at) {
+  for (std::uint32_t bit = 1U << (bits_an_axis - 1); bit > 1; bit /= 2)
+    for (std::uint32_t& each : at) {
+      const std::uint32_t below = bit - 1, is_set = (each & bit) != 0 ? ~0U : 0U;
+      const std::uint32_t swapped = (at[0] ^ each) & below & ~is_set;
+      each ^= swapped;
+      at[0] ^= swapped | (below & is_set);
+    }
+  at[1] ^= at[0];
+  at[2] ^= at[1];
+  std::uint32_t flipped = 0;
+  for (std::uint32_t bit = 1U << (bits_an_axis - 1); bit > 1; bit /= 2)
+    if ((at[2] & bit) != 0) flipped ^= bit - 1;
+  return spread(at[0] ^ flipped) << 2 | spread(at[1] ^ flipped) << 1 | spread(at[2] ^ flipped);
+}
+
 std::uint32_t place_on_curve(const Box& box, const Box& all) {
-  constexpr float most = (1U << 10) - 1;
-  std::uint32_t place = 0;
+  constexpr float most = (1U << bits_an_axis) - 1;
+  std::array<std::uint32_t, 3> at;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float size = all.high[axis] - all.low[axis];
     const float middle = box.low[axis] / 2 + box.high[axis] / 2;
     const float part = size > 0 ? std::clamp((middle - all.low[axis]) / size, 0.0F, 1.0F) : 0;
-    place |= spread(static_cast<std::uint32_t>(part * most)) << axis;
+    at[axis] = static_cast<std::uint32_t>(part * most);
   }
-  return place;
+  return place_on_curve(at);
 }
 
 }  // namespace
@@ -38,7 +57,7 @@ double Box::squared_distance(const Point& point) const {
   return sum;
 }
 
-BoxTree::BoxTree(const std::vector<Box>& boxes) {
+std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes) {
   Box all;
   for (const Box& box : boxes) all.include(box);
   std::vector<std::uint64_t> order;  // place on the curve, place in what was given
@@ -46,37 +65,33 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
   for (const Box& box : boxes)
     order.push_back(std::uint64_t{place_on_curve(box, all)} << 32 | order.size());
   std::sort(order.begin(), order.end());
-  slots_.resize(boxes.size());
-  places_.reserve(boxes.size());
-  boxes_.resize(std::max<std::size_t>(1, (boxes.size() + leaf_size - 1) / leaf_size));
-  while (leaves_ * leaf_size < boxes.size()) leaves_ *= 2;
-  nodes_.resize(2 * leaves_);
-  wanted_.assign(nodes_.size(), 0xFF);
-  for (const std::uint64_t each : order) {
-    const std::size_t slot = places_.size();
-    const auto place = static_cast<std::uint32_t>(each);
-    slots_[place] = static_cast<std::uint32_t>(slot);
-    places_.push_back(place);
-    boxes_[slot / leaf_size].set(slot % leaf_size, boxes[place]);
-    nodes_[leaves_ + slot / leaf_size].include(boxes[place]);
+  std::vector<std::uint32_t> places;
+  places.reserve(order.size());
+  for (const std::uint64_t each : order) places.push_back(static_cast<std::uint32_t>(each));
+  return places;
+}
+
+BoxTree::BoxTree(const std::vector<Box>& boxes)
+    : places_(along_curve(boxes)),
+      slots_(boxes.size()),
+      wanted_(std::max<std::size_t>(1, (boxes.size() + 3) / 4), 0xF) {
+  for (std::size_t nodes = 1; nodes < wanted_.size(); nodes *= 4) leaves_ += nodes;
+  boxes_.resize(leaves_ + wanted_.size());
+  for (std::size_t slot = 0; slot < places_.size(); ++slot) {
+    slots_[places_[slot]] = static_cast<std::uint32_t>(slot);
+    boxes_[leaves_ + slot / 4].set(slot % 4, boxes[places_[slot]]);
   }
-  for (std::size_t node = leaves_ - 1; node > 0; --node) {
-    nodes_[node] = nodes_[2 * node];
-    nodes_[node].include(nodes_[2 * node + 1]);
-  }
+  for (std::size_t node = boxes_.size() - 1; node > 0; --node)
+    boxes_[parent(node)].set((node - 1) % 4, boxes_[node].around(0xF));
 }
 
 void BoxTree::replace(std::uint32_t place, const Box& box) {
-  const std::size_t slot = slots_[place];
-  Leaf& leaf = boxes_[slot / leaf_size];
-  leaf.set(slot % leaf_size, box);
-  std::size_t node = leaves_ + slot / leaf_size;
-  Box all;
-  for (std::size_t i = 0; i < leaf_size; ++i) all.include(leaf.box(i));
-  for (; !(nodes_[node] == all); node /= 2) {
-    nodes_[node] = all;
-    if (node == 1) return;
-    all.include(nodes_[node ^ 1]);
+  std::size_t node = leaves_ + slots_[place] / 4;
+  boxes_[node].set(slots_[place] % 4, box);
+  for (; node > 0; node = parent(node)) {
+    const Box around = boxes_[node].around(0xF);
+    if (boxes_[parent(node)][(node - 1) % 4] == around) return;
+    boxes_[parent(node)].set((node - 1) % 4, around);
   }
 }
 

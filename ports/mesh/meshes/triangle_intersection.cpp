@@ -7,6 +7,27 @@
 namespace discmc::meshing {
 namespace {
 
+// The normal of a triangle.
+class TriangleNormal {
+ public:
+  explicit TriangleNormal(const Corners& triangle)
+      : normal_(doubled_area(triangle)), squared_length_(dot(normal_, normal_)) {}
+
+  // The side of the plane through the origin that a point is on: 1, -1, or 0 for in the plane.
+  // Rounding may leave it unsure.
+  int side_of(const Point& origin, const Point& point) const {
+    const Point away = difference(point, origin);
+    const double height = dot(normal_, away);
+    constexpr double unsure = 1e-20;
+    const int is_sure = height * height > unsure * squared_length_ * dot(away, away);
+    return is_sure * ((height > 0) - (height < 0));
+  }
+
+ private:
+  Point normal_;
+  double squared_length_;
+};
+
 // Whether the line through two points on different sides of a triangle's plane meets the triangle.
 bool meets(const Point& begin, const Point& end, const Corners& triangle) {
   int least = 0, most = 0;
@@ -38,8 +59,9 @@ bool are_apart(const Sides& sides, const Shared& shared) {
 
 Sides sides_of(const Corners& corners, const PlacedTriangle& plane) {
   const Point& origin = plane.corners[0];
-  return {plane.normal.side_of(origin, corners[0]), plane.normal.side_of(origin, corners[1]),
-          plane.normal.side_of(origin, corners[2])};
+  const TriangleNormal normal(plane.corners);
+  return {normal.side_of(origin, corners[0]), normal.side_of(origin, corners[1]),
+          normal.side_of(origin, corners[2])};
 }
 
 // Whether an edge of a that has no vertex of b meets b.

@@ -10,32 +10,10 @@
 
 namespace discmc::meshing {
 
-/// The normal of a triangle.
-class TriangleNormal {
- public:
-  explicit TriangleNormal(const Corners& triangle)
-      : normal_(doubled_area(triangle)), squared_length_(dot(normal_, normal_)) {}
-
-  /// The side of the plane through the origin that a point is on: 1, -1, or 0 for in the plane.
-  /// Rounding may leave it unsure.
-  int side_of(const Point& origin, const Point& point) const {
-    const Point away = difference(point, origin);
-    const double height = dot(normal_, away);
-    constexpr double unsure = 1e-20;
-    const int is_sure = height * height > unsure * squared_length_ * dot(away, away);
-    return is_sure * ((height > 0) - (height < 0));
-  }
-
- private:
-  Point normal_;
-  double squared_length_;
-};
-
 /// A triangle of a mesh: the numbers of its vertices, and where they are.
 struct PlacedTriangle {
   const std::uint32_t* numbers;
   Corners corners;
-  TriangleNormal normal;
 };
 
 /// How many vertices two triangles share.
