@@ -523,6 +523,26 @@ TEST_CASE_FIXTURE(Hdf5File,
   CHECK(read_all(*open_volume(file, options))[2] == 530);
 }
 
+TEST_CASE_FIXTURE(Hdf5File, "_Unsigned gives whole numbers the other sign, the fill value too") {
+  for (const bool is_unsigned : {true, false}) {
+    {
+      const hid_t type = is_unsigned ? H5T_STD_I8LE : H5T_STD_U8LE;
+      const Hdf5Handle dataset =
+          new_dataset(new_file(file), "density", {1, 2, 2}, no_creation(), type);
+      const std::vector<std::uint8_t> samples = {10, 200, 254, 255};
+      H5Dwrite(dataset.id(), is_unsigned ? H5T_NATIVE_INT8 : H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL,
+               H5P_DEFAULT, samples.data());
+      write_texts(dataset, "_Unsigned", {is_unsigned ? "true" : "False"});
+      write_numbers(dataset, "_FillValue", {is_unsigned ? -1.0 : 255.0});
+    }
+    const auto values = read_all(*open_volume(file));
+    CHECK(values[0] == 10);
+    CHECK(values[1] == (is_unsigned ? 200 : -56));
+    CHECK(values[2] == (is_unsigned ? 254 : -2));
+    CHECK(std::isnan(values[3]));
+  }
+}
+
 TEST_CASE_FIXTURE(Hdf5File, "a fill value that is not a number leaves all others as they are") {
   for (const char* const name : {"_FillValue", "missing_value"}) {
     const bool is_nan = name[0] == '_';

@@ -378,6 +378,27 @@ TEST_CASE_FIXTURE(
     }
 }
 
+TEST_CASE_FIXTURE(
+    ZarrFolder, "a fill value of xarray may be in base64, and _Unsigned gives samples their sign") {
+  const auto write_with = [this](const std::string& attributes) {
+    const std::string json = array_json("[4, 3, 5]", "[" + bytes_codec + "]");
+    write(array / "zarr.json",
+          json.substr(0, json.size() - 1) + R"(, "attributes": )" + attributes + "}");
+  };
+  write(array / "c/0/0/0", u8);
+  for (const std::string eight : {R"("AAAAAAAAIEA=")", "8"}) {
+    write_with(R"({"_FillValue": )" + eight + "}");
+    const auto samples = read_all(*open_volume(array));
+    CHECK(samples[1] == 4);
+    CHECK(std::isnan(samples[2]));
+    CHECK(samples[3] == 12);
+  }
+  write_with(R"({"_FillValue": "AAAAAAAAIE?="})");
+  CHECK(read_all(*open_volume(array))[2] == 8);
+  write_with(R"({"_Unsigned": "false"})");
+  CHECK(read_all(*open_volume(array))[59] == sample_at(59, SampleType::u8) - 256);
+}
+
 TEST_CASE_FIXTURE(ZarrFolder, "a shard with a wrong index or checksum is refused") {
   write(array / "zarr.json", array_json("[4, 3, 5]", shard_codec(false, true)));
   std::string bytes = shard(true, false, true);

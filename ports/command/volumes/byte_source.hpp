@@ -86,6 +86,9 @@ std::unique_ptr<ByteSource> inflated(std::unique_ptr<ByteSource> in);
 /// The content of this many zlib streams, one after the other.
 std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std::uint64_t count);
 
+/// The six bits that a character of base64 stands for; more than 63: it stands for none.
+unsigned base64_value(char c);
+
 /// The bytes of text in base64, in parts that are each filled up, up to the first '<'.
 std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in);
 

@@ -9,6 +9,7 @@
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
 #include "volumes/declared_place.hpp"
+#include "volumes/declared_values.hpp"
 #include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/formats/vtk_image.hpp"
@@ -307,10 +308,8 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
     const auto numbers = numbers_of(dataset.handle(), attribute);
     return numbers.size() == 1 ? std::optional(numbers[0]) : std::nullopt;
   };
-  // As NetCDF and xarray pack values.
-  set_scale(info, name, number("scale_factor").value_or(1), number("add_offset").value_or(0));
-  auto fill = number("_FillValue");
-  if (!fill) fill = number("missing_value");
+  auto fill =
+      set_values(info, name, declared_values(number, text_of(dataset.handle(), "_Unsigned")));
   if (options.holds_labels) fill.reset();
   auto volume = volume_of(name, std::move(info), std::move(dataset), file, layout);
   return fill ? without_fill(std::move(volume), *fill) : std::move(volume);

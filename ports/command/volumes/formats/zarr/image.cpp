@@ -14,6 +14,7 @@
 #include "text/words.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
+#include "volumes/byte_source.hpp"
 #include "volumes/header_fields.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_info.hpp"
@@ -191,6 +192,24 @@ void take_coordinates_of_axes(ZarrImage& image, const ZarrNode& node) {
   }
 }
 
+// As xarray writes a fill value of floating point with version 3: eight bytes, the lowest first.
+std::optional<double> number_in_base64(const std::string& text) {
+  constexpr std::size_t digits = 11;  // of six bits, for 64 bits
+  if (text.size() != digits + 1 || text.back() != '=') return std::nullopt;
+  std::array<std::uint8_t, 8> bytes{};
+  for (std::size_t i = 0; i < digits; ++i) {
+    const unsigned value = base64_value(text[i]);
+    if (value > 63) return std::nullopt;
+    const std::size_t byte = 6 * i / 8, shift = 10 - 6 * i % 8;
+    bytes[byte] |= static_cast<std::uint8_t>(value << shift >> 8);
+    if (byte + 1 < bytes.size()) bytes[byte + 1] |= static_cast<std::uint8_t>(value << shift);
+  }
+  const std::uint64_t bits = whole_of(bytes.data(), bytes.size(), false);
+  double number = 0;
+  std::memcpy(&number, &bits, sizeof number);
+  return number;
+}
+
 ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& folder,
                          const VolumeOptions& options) {
   if (options.level) fail(folder, "an array has no levels", "leave out --level");
@@ -199,18 +218,16 @@ ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& fold
   image.array = described(node);
   const auto number = [&node](const char* name) {
     const Json& value = member(node.attributes, name);
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+    return value.is_number() ? std::optional(value.get<double>())
+                             : number_in_base64(text_of(value));
   };
-  image.slope = number("scale_factor").value_or(1);
-  image.intercept = number("add_offset").value_or(0);
-  image.fill = number("_FillValue");
-  if (!image.fill) image.fill = number("missing_value");
+  image.values = declared_values(number, text_of(member(node.attributes, "_Unsigned")));
   const auto& names = image.array.axis_names;
   // In version 2 xarray has it in place of the fill value of chunks, which otherwise is 0.
   const Json& of_chunks = member(node.array, "fill_value");
-  if (!image.fill && !names.empty() && of_chunks.is_number() && of_chunks != 0 &&
+  if (!image.values.fill && !names.empty() && of_chunks.is_number() && of_chunks != 0 &&
       member(node.array, "zarr_format") == 2)
-    image.fill = of_chunks.get<double>();
+    image.values.fill = of_chunks.get<double>();
   for (const std::string& name : names)
     if (const char letter = axis_letter(name); letter != '?') image.axes.push_back({letter});
   if (image.axes.size() != image.array.sizes.size()) image.axes.clear();

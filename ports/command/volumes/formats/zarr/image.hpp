@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "description.hpp"
+#include "volumes/declared_values.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {
@@ -26,9 +27,7 @@ struct ZarrImage {
   ZarrDescription array;
   std::vector<ZarrAxis> axes{};  ///< of the array; none if there is no description
   bool is_ome = false;
-  /// As xarray packs values, and its value of samples that are none.
-  double slope = 1, intercept = 0;
-  std::optional<double> fill{};
+  DeclaredValues values{};  ///< as xarray has them
   bool has_scale = false;
   std::vector<std::string> channels{};  ///< their names, where there are any
   std::string level{};                  ///< for people, of several: "level 1 of 4"

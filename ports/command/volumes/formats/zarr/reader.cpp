@@ -184,8 +184,7 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
   set_place(info, place_of(image, folder, layout, options), options);
   require_few_chunks(folder, info, image.array.chunk, layout);
   require_possible(image.array.folder, info);
-  set_scale(info, folder, image.slope, image.intercept);
-  const std::optional<double> fill = image.fill;
+  const std::optional<double> fill = set_values(info, folder, image.values);
   std::unique_ptr<VolumeReader> volume = std::make_unique<ZarrVolume>(
       folder, std::move(info), ZarrChunks(std::move(image.array)), layout);
   if (!fill || options.holds_labels) return volume;
