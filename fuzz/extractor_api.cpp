@@ -439,7 +439,8 @@ class Caller {
     const auto depth = static_cast<uint32_t>((on_.size() + slice() - 1) / slice());
     BitVolume volume({limits_.width, limits_.height, depth});
     std::copy(on_.begin(), on_.end(), volume.on.begin());
-    require(collector.was_abandoned() == was_abandoned_, "the sink is told another ending");
+    require(collector.was_abandoned() == was_abandoned_,
+            "the finish event has the wrong is_abandoned");
     require(collector.layers().size() == depth, "another number of slices");
     require(collector.skipped().size() == skipped_, "another number of skipped rows");
     require(collector.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");

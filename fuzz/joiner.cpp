@@ -144,7 +144,7 @@ void check_any_events(Input& input, Scenario& scenario) {
       if ((changes & 12) == 0) event.incoming_direction = static_cast<Direction>(input.below(9));
       if ((changes & 48) == 0) event.start.x = static_cast<int32_t>(input.number(UINT32_MAX));
       if ((changes & 192) == 0) event.start.z = static_cast<int32_t>(input.number(UINT32_MAX));
-      event.hole = (changes & 5) == 0;
+      event.is_hole = (changes & 5) == 0;
     }
     event.statistics = &statistics;
     events.emplace_back(event);

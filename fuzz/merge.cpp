@@ -235,7 +235,7 @@ class Feeder {
       require(pushed.status == Status::ok || pushed.status == Status::suspended,
               to_string(pushed.status));
       if (pushed.samples == scenario_.limits.width) return;
-      require(pushed.status == Status::suspended, "a row was not taken, and why is not told");
+      require(pushed.status == Status::suspended, "a row was refused without a status");
     }
   }
 
@@ -312,7 +312,8 @@ void check_rings(const Events& events) {
 
 void check_surface(const Scenario& scenario, const Collector& collector) {
   const bool is_closed = scenario.limits.border == Border::closed;
-  require(collector.was_abandoned() == scenario.is_abandoned, "the sink is told another ending");
+  require(collector.was_abandoned() == scenario.is_abandoned,
+          "the finish event has the wrong is_abandoned");
   require(collector.layers().size() == scenario.volume.depth, "another number of slices");
   require(collector.split_sides() == 0, "a straight side in more runs than it needs");
   const std::string miscount = miscounted(collector, scenario.volume, is_closed);

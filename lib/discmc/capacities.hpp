@@ -1,7 +1,7 @@
 // The memory of a scan, as constant expressions.
 //
-//   static uint8_t memory[Extractor16::minimum_bytes(limits) + 5 * 1024];  // the rest becomes
-//   slots
+//   // What exceeds minimum_bytes() becomes slots:
+//   static uint8_t memory[Extractor16::minimum_bytes(limits) + 5 * 1024];
 //
 // The memory contains rows of bits, whose size follows from the limits, and slots for the
 // boundaries that are not complete yet. Fewer slots make the stream longer; the surface is

@@ -148,15 +148,15 @@ enum { DISCMC_MAX_RECORD_BYTES = 200, DISCMC_FIRST_STANDARD_KIND = 240 };
 enum {
   DISCMC_START,  /* of.header; from an extractor without depth, scan and channel */
   DISCMC_REGION, /* incidence */
-  DISCMC_RING,   /* start, hole */
+  DISCMC_RING,   /* start, is_hole */
   DISCMC_RUN,    /* run, normal */
   DISCMC_REGION_END,
   DISCMC_FRAGMENT, /* incidence, start, incoming_direction */
   DISCMC_FRAGMENT_END,
-  DISCMC_SKIPPED,     /* slice, row, repeated: a row is missing */
+  DISCMC_SKIPPED,     /* slice, row, is_repeated: a row is missing */
   DISCMC_LAYER,       /* slice: complete; regions that do not reach it have been delivered */
   DISCMC_APPLICATION, /* of.application; from receivers only */
-  DISCMC_FINISH,      /* slice: the number of slices; abandoned, of.statistics */
+  DISCMC_FINISH,      /* slice: the number of slices; is_abandoned, of.statistics */
   DISCMC_LOST,        /* discard the region or fragment that has begun; from receivers only */
   DISCMC_FRACTIONS    /* slice, row, of.fractions; from receivers only, before their vertices */
 };
@@ -192,9 +192,9 @@ typedef struct discmc_event {
   uint8_t kind;
   uint8_t incidence;          /* the normal of the polygon: discmc_incidence_normal() */
   uint8_t incoming_direction; /* of the link that leads to the start of a fragment */
-  uint8_t hole;               /* the ring is a hole */
-  uint8_t repeated;           /* the row was replaced by the previous row */
-  uint8_t abandoned;          /* the scan ended early */
+  uint8_t is_hole;            /* the ring is a hole */
+  uint8_t is_repeated;        /* the row was replaced by the previous row */
+  uint8_t is_abandoned;       /* the scan ended early */
   uint8_t normal[2];          /* where the run starts: discmc_unit_normal() */
   uint32_t run;               /* a straight piece of a ring: discmc_run_vector() */
   uint32_t slice, row;
@@ -405,7 +405,7 @@ DISCMC_CHECK discmc_status discmc_receiver_finish(discmc_receiver* receiver);
 /* The report of a receiver: received and missing data so far. */
 typedef struct discmc_receiver_info {
   discmc_stream_header header;
-  uint8_t has_header, has_trailer, holds_slices, abandoned;
+  uint8_t has_header, has_trailer, holds_slices, is_abandoned;
   uint8_t is_complete;   /* nothing is missing from header to trailer */
   uint8_t is_unreadable; /* an intact packet has contents that this receiver cannot read */
   uint8_t is_mixed;      /* packets of another scan of the same number were accepted */

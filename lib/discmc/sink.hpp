@@ -139,16 +139,16 @@ struct Event {
   enum class Kind : uint8_t {
     start,         ///< the first event: header
     region,        ///< a complete region begins: incidence
-    ring,          ///< one of its rings begins: start, hole
+    ring,          ///< one of its rings begins: start, is_hole
     run,           ///< the next run of the ring or fragment: run, normal
     region_end,    ///< the region is complete
     fragment,      ///< a loose fragment begins: incidence, start, incoming_direction
     fragment_end,  ///< the fragment is complete
-    skipped,       ///< a row is missing: slice, row, repeated
+    skipped,       ///< a row is missing: slice, row, is_repeated
     layer,         ///< a slice is complete: slice; every region that does not reach it has been
                    ///< delivered
     application,   ///< an application record: application
-    finish,        ///< the last event: slice (number of slices; of a slab, its own), abandoned,
+    finish,        ///< the last event: slice (number of slices; of a slab, its own), is_abandoned,
                    ///< statistics
     lost,          ///< decoders only: part of the current region or fragment is lost; discard it
     fractions,     ///< receivers only: where the surface crosses the edges of a row of voxels:
@@ -157,9 +157,9 @@ struct Event {
   Kind kind;
   Incidence incidence;
   Direction incoming_direction;  ///< of the link that leads to the start of a fragment
-  bool hole;
-  bool repeated;  ///< the row was replaced by the previous row
-  bool abandoned;
+  bool is_hole;
+  bool is_repeated;  ///< the row was replaced by the previous row
+  bool is_abandoned;
   OctahedralNormal normal;  ///< at the start of the run, in space: see unit_normal(); none if the
                             ///< samples are level there, or if extractor or stream lack normals
   Run run;

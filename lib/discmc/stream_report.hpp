@@ -16,7 +16,7 @@ struct StreamReport {
   bool has_header = false;
   bool holds_slices = false;  ///< according to its header: use a Receiver or a SliceDecoder
   bool has_trailer = false;
-  bool abandoned = false;      ///< the scan ended early; a closed border still closes the surface
+  bool is_abandoned = false;   ///< the scan ended early; a closed border still closes the surface
   bool is_unreadable = false;  ///< an intact packet has contents that the decoder cannot read
   bool is_mixed = false;       ///< according to the trailer: packets of another scan with the same
                                ///< number were accepted

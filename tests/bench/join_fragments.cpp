@@ -34,7 +34,7 @@ Vertex corner(std::uint64_t square, unsigned side) {
   return vertex;
 }
 
-void tell_side(SpillingJoiner& joiner, std::uint64_t square, unsigned side) {
+void send_side(SpillingJoiner& joiner, std::uint64_t square, unsigned side) {
   Event event{};
   event.kind = Event::Kind::fragment;
   event.incidence = upwards;
@@ -62,7 +62,7 @@ int join(std::uint64_t fragments, std::uint64_t bytes) {
   RegionCount count;
   SpillingJoiner joiner(discmc::make_sink(count), bytes);
   for (unsigned side = 0; side < 4; ++side)
-    for (std::uint64_t square = 0; square < squares; ++square) tell_side(joiner, square, side);
+    for (std::uint64_t square = 0; square < squares; ++square) send_side(joiner, square, side);
   joiner.finish();
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   rusage usage{};

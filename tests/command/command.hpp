@@ -263,7 +263,7 @@ inline double volume_of(const FileMesh& mesh) {
 }
 
 /// The command prints all of these on standard error.
-inline void check_told(const Result& result, int code, const std::vector<std::string>& parts) {
+inline void check_parts(const Result& result, int code, const std::vector<std::string>& parts) {
   INFO(result.error);
   CHECK(result.code == code);
   for (const std::string& part : parts) CHECK(contains(result.error, part));
@@ -271,7 +271,7 @@ inline void check_told(const Result& result, int code, const std::vector<std::st
 
 /// And nothing on standard output.
 inline void check_failure(const Result& result, int code, const std::vector<std::string>& parts) {
-  check_told(result, code, parts);
+  check_parts(result, code, parts);
   CHECK(result.out.empty());
 }
 

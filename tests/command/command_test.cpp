@@ -47,9 +47,9 @@ std::vector<double> numbers_after(const std::string& begin, const std::string& t
   return numbers;
 }
 
-void check_told(const std::string& told, const std::vector<std::string>& parts) {
-  INFO(told);
-  for (const std::string& part : parts) CHECK(contains(told, part));
+void check_parts(const std::string& text, const std::vector<std::string>& parts) {
+  INFO(text);
+  for (const std::string& part : parts) CHECK(contains(text, part));
 }
 
 }  // namespace
@@ -74,16 +74,16 @@ TEST_CASE_FIXTURE(
   for (std::size_t i = 0; i < step.on.size(); ++i) step.on[i] |= upper.on[i];
   write("step.nrrd", step);
   const std::string extract = "extract v.nrrd --iso 100 ";
-  check_told(done(extract + "-o v.stl"),
-             {"v.stl: 2,284 bytes\n", "triangles                             44",
-              "classic Marching Cubes: 44 triangles", "vertices                              24",
-              "closed                               yes"});
+  check_parts(done(extract + "-o v.stl"),
+              {"v.stl: 2,284 bytes\n", "triangles                             44",
+               "classic Marching Cubes: 44 triangles", "vertices                              24",
+               "closed                               yes"});
   CHECK(read("v.stl").size() == 2284);
-  check_told(done("extract step.nrrd --iso 100 --no-conforming -o v.glb"), {"v.glb: ", "  no\n"});
-  check_told(done(extract + "--faces polygons -o v.ply"), {"polygons  ", "  yes\n"});
-  check_told(done(extract + "-o v.jsonl"), {"polygons  "});
-  check_told(done(extract + "-o v.dmc"), {"v.dmc: ", "bytes of arena used"});
-  check_told(done(extract + "--memory 1M -o v.obj"), {"v.obj: ", "bytes of arena used"});
+  check_parts(done("extract step.nrrd --iso 100 --no-conforming -o v.glb"), {"v.glb: ", "  no\n"});
+  check_parts(done(extract + "--faces polygons -o v.ply"), {"polygons  ", "  yes\n"});
+  check_parts(done(extract + "-o v.jsonl"), {"polygons  "});
+  check_parts(done(extract + "-o v.dmc"), {"v.dmc: ", "bytes of arena used"});
+  check_parts(done(extract + "--memory 1M -o v.obj"), {"v.obj: ", "bytes of arena used"});
   CHECK(done(extract + "-q -o v.stl").empty());
 }
 
@@ -112,7 +112,7 @@ TEST_CASE_FIXTURE(
   CHECK(stl.code == 0);
   const std::size_t places = mesh_of("far.stl", read("far.stl")).vertices_mm.size();
   CHECK(places < vertices.size());
-  check_told(
+  check_parts(
       stl.error,
       {"far.stl: coordinates are rounded to 0.5 mm, as .stl files hold 32-bit floats",
        std::to_string(vertices.size()) + " vertices share " + std::to_string(places) + " places",
@@ -432,8 +432,8 @@ TEST_CASE_FIXTURE(Workshop, "samples that are not a number are off and reported"
   const float nan = std::nanf("");
   std::memcpy(&samples[samples.size() - sizeof nan], &nan, sizeof nan);
   write("v.nrrd", volume_files::nrrd("type: float\nencoding: raw\nendian: little\n\n") + samples);
-  check_told(run("extract v.nrrd --iso 7 -o v.dmc"), 0,
-             {"v.nrrd: 1 samples are not a number (NaN) and count as off"});
+  check_parts(run("extract v.nrrd --iso 7 -o v.dmc"), 0,
+              {"v.nrrd: 1 samples are not a number (NaN) and count as off"});
   done("extract v.nrrd --iso 7.25 --allow-empty -o none.dmc");
   CHECK(contains(done("info v.dmc"), "regions 8\n"));
   CHECK(contains(done("info none.dmc"), "regions 0\n"));

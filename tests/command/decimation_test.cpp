@@ -50,9 +50,7 @@ Field gyroid(std::uint32_t size) {
 }
 
 std::size_t crossing_pairs(const FaceMesh& mesh) {
-  FaceList all(mesh.face_count());
-  std::iota(all.begin(), all.end(), 0U);
-  return intersecting_faces(mesh, all).size();
+  return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
 // The figures of all bodies and cavities, the least first.

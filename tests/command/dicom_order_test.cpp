@@ -322,7 +322,7 @@ TEST_CASE("the advice for slices without positions and with a UID each leads to 
 
 // ---- where the files are ----
 
-TEST_CASE("a DICOMDIR is its folder") {
+TEST_CASE("a DICOMDIR opens its folder") {
   const Slices slices([](Dataset&, int) {});
   Dataset directory;
   directory.text(0x00080016, "UI", "1.2.840.10008.1.3.10").text(0x00041130, "CS", "DISC");

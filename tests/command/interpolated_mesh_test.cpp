@@ -38,9 +38,7 @@ Field plate(std::uint32_t seed) {
 }
 
 std::size_t intersections_of(const FileMesh& mesh) {
-  FaceList faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return intersecting_faces(mesh, faces).size();
+  return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
 // A crossing next to a voxel keeps off it.

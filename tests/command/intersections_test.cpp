@@ -22,9 +22,7 @@ FaceMesh mesh_of(std::vector<Point> vertices, std::vector<std::uint32_t> corners
 }
 
 Pairs intersections_of(const FaceMesh& mesh) {
-  FaceList faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return intersecting_faces(mesh, faces);
+  return intersecting_faces(mesh, all_faces(mesh));
 }
 
 // A triangle in the plane z = 0, and another one.
@@ -134,7 +132,7 @@ TEST_CASE("a tree finds any two boxes that overlap, and each two once") {
   }
 }
 
-TEST_CASE("boxes along a curve: from one to the next it is one step, if they fill a cube") {
+TEST_CASE("successive boxes along the curve are neighbours, if they fill a cube") {
   std::vector<Box> boxes;
   const auto add = [&boxes](double x, double y, double z) {
     boxes.emplace_back(Corners{{{x, y, z}, {x, y, z}, {x, y, z}}});

@@ -40,7 +40,7 @@ TEST_CASE("a bit is on where the voxel has a label of its set, in any of the lay
                                                                2 + 4 + 32, 4 + 32});
 }
 
-TEST_CASE("samples are as wide as there are sets") {
+TEST_CASE("the sample type has a bit for each set of labels") {
   const std::pair<std::size_t, SampleType> types[] = {{8, SampleType::u8},
                                                       {9, SampleType::u16},
                                                       {17, SampleType::u32},

@@ -170,7 +170,7 @@ TEST_CASE_FIXTURE(Workshop, "layers are listed, and refused if one is not enough
   check_failure(shell("\"$discmc\" extract - --labels all -q -o v.glb < layers.seg.nrrd"), 1,
                 {"standard input: each layer of a segmentation is read separately"});
   write("wrong.seg.nrrd", with_line(layered(), "Segment1_Layer:=1", "Segment1_Layer:=2"));
-  check_told(
+  check_parts(
       run("extract wrong.seg.nrrd --labels all -q -o w.glb"), 0,
       {"segments of layers that are not in the file are left out: 1, such as 'Skin' of layer 2",
        "1 of 2 layers have no label in the header"});
@@ -268,8 +268,8 @@ TEST_CASE_FIXTURE(Workshop, "a folder or pattern of masks is a label a file, nam
   done("extract w.raw --dims 4,2,3 --type u8 --label 1 -q -o lung.stl");
   for (const std::string input : {"seg", "seg/", "'seg/*.nii.gz'"}) {
     INFO(input);
-    check_told(run("extract " + input + " --labels all -o 'all-{name}.stl'"), 0,
-               {"no voxel has spleen\n"});
+    check_parts(run("extract " + input + " --labels all -o 'all-{name}.stl'"), 0,
+                {"no voxel has spleen\n"});
     CHECK(read("all-bone.stl") == read("bone.stl"));
     CHECK(read("all-lung left.stl") == read("lung.stl"));
     CHECK_FALSE(contains(shell("ls").out, "spleen"));
@@ -315,8 +315,8 @@ TEST_CASE_FIXTURE(LabelVolume, "a requested label that is missing is a failure")
   CHECK(read("some-2.stl").empty());
   fails(extract + "--labels 1,7,8 -o 'x-{name}.stl'", 1,
         {"v.raw: no voxel has label 7, label 8; leave out these labels"});
-  check_told(run(extract + "--labels 1,7 --allow-empty -q -o 'x-{name}.stl'"), 0,
-             {"no voxel has label 7\n"});
+  check_parts(run(extract + "--labels 1,7 --allow-empty -q -o 'x-{name}.stl'"), 0,
+              {"no voxel has label 7\n"});
   const std::string named = extract + "--label-table table.json ";
   done(named + "--label skin -q -o skin.stl");
   done(extract + "--label 2,9 -q -o union.stl");

@@ -195,7 +195,7 @@ TEST_CASE("invalid polygons are skipped, and valid ones are kept") {
   });
 }
 
-TEST_CASE("a spacing must be a length") {
+TEST_CASE("a spacing of 0, infinity or NaN is refused") {
   for (const double wrong : {0.0, std::numeric_limits<double>::infinity(), std::nan("")})
     CHECK_THROWS_AS(build_mesh(octahedron({1, wrong, 1})), std::invalid_argument);
 }

@@ -9,7 +9,6 @@
 
 namespace {
 
-using discmc::meshing::run_in_any_order;
 using discmc::meshing::run_in_order;
 
 constexpr std::size_t count = 100;
@@ -57,14 +56,6 @@ TEST_CASE("no more items are held than twice the jobs") {
         [](std::size_t, int&) {}, [&](std::size_t, int&) { --held; });
     CHECK(held == 0);
     CHECK(most <= 2 * jobs);
-  }
-}
-
-TEST_CASE("without steps in order every item is worked on once") {
-  for (const unsigned jobs : {1U, 3U}) {
-    std::vector<std::atomic<int>> calls(count);
-    run_in_any_order(jobs, count, [&calls](std::size_t number) { ++calls[number]; });
-    for (const std::atomic<int>& each : calls) CHECK(each == 1);
   }
 }
 

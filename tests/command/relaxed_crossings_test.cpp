@@ -27,9 +27,7 @@ FaceMesh mesh_of(const Extracted& of, const Crossings* crossings, double toleran
 }
 
 std::size_t intersections_of(const FaceMesh& mesh) {
-  FaceList faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return intersecting_faces(mesh, faces).size();
+  return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
 // A slope of one voxel on many, as in a scan: the hardest steps.

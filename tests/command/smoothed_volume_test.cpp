@@ -131,9 +131,7 @@ std::pair<std::size_t, std::int64_t> topology_of(const FaceMesh& mesh) {
 }
 
 std::size_t crossing_pairs(const FaceMesh& mesh) {
-  FaceList all(mesh.face_count());
-  std::iota(all.begin(), all.end(), 0U);
-  return intersecting_faces(mesh, all).size();
+  return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
 // Between the faces' normals and those of the shape, by area.

@@ -196,7 +196,7 @@ TEST_CASE_FIXTURE(Workshop,
   const int whole = std::stoi(info_of("v.dmc")["regions"]);
   for (const std::string name : {"gap", "'no end'"}) {
     INFO(name);
-    check_told(run("info " + name + ".dmc"), 3, {".dmc: the stream is incomplete"});
+    check_parts(run("info " + name + ".dmc"), 3, {".dmc: the stream is incomplete"});
     auto info = info_of(name + ".dmc");
     CHECK(info["complete"] == "no");
     CHECK(std::stoi(info["regions"]) > 0);
@@ -312,7 +312,7 @@ TEST_CASE_FIXTURE(Workshop, "an invalid polygon is skipped and reported") {
   event.start = {3, 2, 0};
   tell(Kind::region);
   for (const bool is_hole : {false, true}) {  // the same square twice
-    event.hole = is_hole;
+    event.is_hole = is_hole;
     tell(Kind::ring);
     for (int side = 0; side < 4; ++side) {
       event.run = discmc::Run::straight(static_cast<discmc::Direction>((6 + 2 * side) % 8), 1);
@@ -341,5 +341,5 @@ TEST_CASE_FIXTURE(Workshop, "two mixed scans of the same number are reported wit
   REQUIRE(a.size() == b.size());
   a.back() = b.back();
   write("m.dmc", text_of(discmc::test::joined(a)));
-  check_told(run("info m.dmc"), 3, {"give every scan another number"});
+  check_parts(run("info m.dmc"), 3, {"give every scan another number"});
 }

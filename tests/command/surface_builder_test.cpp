@@ -243,9 +243,9 @@ TEST_CASE("regions that are only counted give the figures of regions that are ke
   CHECK(counts.holes > 0);
   CHECK(counts.corners == corners);
   CHECK(counts.links == links);
-  CHECK(counts.three == by_corners[3]);
-  CHECK(counts.four == by_corners[4]);
-  CHECK(counts.more == regions - by_corners[3] - by_corners[4]);
+  CHECK(counts.of_three_corners == by_corners[3]);
+  CHECK(counts.of_four_corners == by_corners[4]);
+  CHECK(counts.of_more_corners == regions - by_corners[3] - by_corners[4]);
 }
 
 TEST_CASE("polygons are sorted by their last vertices, from below") {

@@ -29,7 +29,7 @@ bool tells(Event::Kind kind, Change change) {
 TEST_CASE("events are equal if the members of their kind are equal") {
   using Kind = Event::Kind;
   const auto incidence = [](Event& event) { event.incidence = 3; };
-  const auto hole = [](Event& event) { event.hole = true; };
+  const auto hole = [](Event& event) { event.is_hole = true; };
   const auto start = [](Event& event) { event.start = {0, 0, -1}; };
   const auto run = [](Event& event) { event.run = Run::straight(2, 5); };
   const auto normal = [](Event& event) { event.normal = {7, 9}; };

@@ -204,7 +204,7 @@ TEST_CASE("a region is delivered before the first layer mark that it does not re
     }
 }
 
-TEST_CASE("the events of a volume are these, on every machine") {
+TEST_CASE("the events of a fixed volume have a recorded hash") {
   const BitVolume volume = random({14, 13, 12}, 150, 11);
   const EventLog log = events_of(volume, Border::closed, ample, false);
   CHECK(hash_of(log) == 2843474493360604257ULL);

@@ -111,7 +111,7 @@ TEST_CASE("normals are decoded unchanged for any differences, in whole regions a
       }
 }
 
-TEST_CASE("corners without a normal, among others with one") {
+TEST_CASE("missing normals among others are decoded as missing") {
   const Events events = pressed(random({20, 16, 9}, 128, 7));
   Chance chance(8);
   const Events told = with_normals(events, [&](uint32_t) {

@@ -91,7 +91,8 @@ bool has_way_out(const std::vector<Polygon>& plane, const Vertex& n, const Verte
 
 }  // namespace
 
-TEST_CASE("a straight path from each midpoint leaves all facets of its plane visited before") {
+TEST_CASE(
+    "a straight path leads from each midpoint out of the facets of its plane visited before") {
   int planes = 0;
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     if (incidence == no_incidence) continue;

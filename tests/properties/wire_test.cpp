@@ -49,7 +49,7 @@ TEST_CASE("the samples cover everything that a stream can contain") {
     for (const RecordedEvent& recorded : sample.events) {
       runs = recorded.is(Kind::run) ? runs + 1 : 0;
       longest_ring = std::max(longest_ring, runs);
-      holes += recorded.is(Kind::ring) && recorded.event().hole;
+      holes += recorded.is(Kind::ring) && recorded.event().is_hole;
     }
     if (sample.name == "noise with fragments") CHECK(count_of(sample.events, Kind::fragment) > 50);
     if (sample.name == "a spiral, whose rings are long")
@@ -75,7 +75,7 @@ TEST_CASE("every event, the header and the totals are decoded unchanged") {
     CHECK(report.repeated_packets + report.damaged_packets == 0);
     CHECK(report.regions == count_of(sample.events, Kind::region_end));
     CHECK(report.slices == sample.events.back().event().slice);
-    CHECK(report.abandoned == (sample.name == "an abandoned scan"));
+    CHECK(report.is_abandoned == (sample.name == "an abandoned scan"));
     CHECK(report.totals.links == sample.events.back().event().statistics->links);
   }
 }

@@ -182,7 +182,7 @@ TEST_CASE("a skipped row is off or repeats the row before, across slices too, an
       for (size_t i = 0; i < skipped.size(); ++i) {
         CHECK(collector.skipped()[i].slice == skipped[i].slice);
         CHECK(collector.skipped()[i].row == skipped[i].row);
-        CHECK(collector.skipped()[i].repeated == skipped[i].repeated);
+        CHECK(collector.skipped()[i].is_repeated == skipped[i].is_repeated);
       }
       CHECK(unlike_merge(collector.regions(), volume, true) == "");
     }

@@ -115,7 +115,7 @@ TEST_CASE("directions go round counter-clockwise seen from the tip of the normal
   });
 }
 
-TEST_CASE("half a round on, a direction is opposite") {
+TEST_CASE("the direction half a round further is the opposite one") {
   for_each_incidence([](Incidence incidence) {
     for (Direction direction = 0; direction < direction_count(incidence); ++direction)
       CHECK(direction_vector(incidence, opposite_direction(incidence, direction)) ==

@@ -153,7 +153,7 @@ TEST_CASE("a new scan is independent of the previous one") {
   CHECK(log.events == events_of<uint16_t, Normals>(volume, setting));
 }
 
-TEST_CASE("thresholds that all or no samples reach") {
+TEST_CASE("thresholds below or above all samples give the same surface with normals") {
   const Size size{5, 4, 3};
   for (const int32_t threshold : {INT32_MIN, -1, 0, 1, 255, 256, INT32_MAX})
     check_agreement(clouds<uint8_t>(size, 3), {threshold, Border::closed, ample});

@@ -156,7 +156,7 @@ class Compare(unittest.TestCase):
             else:  # without a trailer, the surface of the last slices is missing
                 self.assertLessEqual(set(theirs), set(mine))
 
-    def test_polygons(self):
+    def test_polygons_equal_those_of_the_command(self):
         for name, options in streams.POLYGONS:
             with self.subTest(volume=name, options=options):
                 stream = self.compare(self.extracted(name, *options))
@@ -172,7 +172,7 @@ class Compare(unittest.TestCase):
             if isinstance(event, Layer):
                 layer = event.slice
 
-    def test_normals(self):
+    def test_normals_equal_those_of_the_command(self):
         data = self.extracted("ball", "--iso", 100, "--normals", "gradient")
         stream, points = self.compare(data), {}
         for region in regions_of(stream)[0]:
@@ -191,13 +191,13 @@ class Compare(unittest.TestCase):
         for point, direction in points.items():
             self.assertLess(hypot(*(a - b for a, b in zip(direction, theirs[point]))), 1e-3, point)
 
-    def test_several_streams(self):
+    def test_each_channel_of_a_link_is_decoded_alone(self):
         data = self.extracted("ball", "--iso", 100, "--iso", 50)
         for channel in (0, 1):
             with self.subTest(channel=channel):
                 self.assertGreater(self.compare(data, channel).foreign, 0)
 
-    def test_slices(self):
+    def test_slices_have_the_thresholded_samples(self):
         for name, options, thresholds in streams.SLICES:
             with self.subTest(volume=name, options=options):
                 stream = self.compare(self.extracted(name, *options))
@@ -212,7 +212,7 @@ class Compare(unittest.TestCase):
         return subprocess.run([ENCODER, *map(str, arguments)], input=bytes(samples()), capture_output=True,
                               check=True).stdout
 
-    def test_fractions(self):
+    def test_fractions_are_those_of_the_samples(self):
         for case in streams.FRACTIONS:
             name, _, levels, _, thresholds = case
             with self.subTest(case=case):
@@ -221,7 +221,7 @@ class Compare(unittest.TestCase):
                 for threshold, surface in zip(thresholds, stream.rows.surfaces):
                     self.compare_fractions(surface.fractions, samples(), threshold, levels, (1, width, width * height))
 
-    def test_lost_fractions(self):
+    def test_fractions_are_lost_with_their_rows(self):
         """Section 15: a key slice after a loss has a count of fractions whose places are unknown."""
         frames = streams.frames(self.encoded_fractions("noise", 0, 4, 2, (128,)))
         for lost in range(1, len(frames) - 1):
@@ -237,7 +237,7 @@ class Compare(unittest.TestCase):
                       if i % next_step >= step else 0 for i in range(len(samples))]
             self.assertEqual(mine, theirs, "xyz"[axis])
 
-    def test_golden(self):
+    def test_recorded_streams_have_no_losses(self):
         files = sorted((PROJECT / "tests/support/golden").glob("*.dmc"))
         self.assertGreater(len(files), 7)
         for file in files:
@@ -250,28 +250,28 @@ class Compare(unittest.TestCase):
                     skipped = sum(isinstance(e, Skipped) for e in stream.events)
                 self.assertEqual(skipped, stream.trailer.totals["skipped_rows"])
 
-    def test_document(self):
-        """The streams that sections 13 and 14 of the document spell out."""
+    def test_streams_of_the_document_are_decoded(self):
+        """Sections 13 and 14."""
         for kind in ("hex", "slices"):
             with self.subTest(kind=kind):
                 self.compare(streams.of_document(PROJECT / "lib/WIRE.md", kind))
 
-    def test_encoder(self):
-        """Section 6: the symbols of a payload give its bytes."""
+    def test_the_symbols_of_a_payload_give_its_bytes(self):
+        """Section 6."""
         data = self.extracted("noise", "--iso", 60, "--memory", "4K", "--normals", "gradient")
         payloads = [bytes(body[4:-3]) for body in streams.bodies(data) if body[0] == RECORDS]
         self.assertGreater(len(payloads), 10)
         for payload in payloads:
             self.assertEqual(RangeEncoder.encoded(streams.calls_of(payload)), payload)
 
-    def test_damage(self):
+    def test_damaged_streams_have_the_losses_of_the_command(self):
         for name, options, seeds in streams.DAMAGED:
             data = self.extracted(name, *options)
             for seed in range(seeds):
                 with self.subTest(volume=name, options=options, seed=seed):
                     self.compare(streams.damaged(data, random.Random(seed)))
 
-    def test_interrupted_codes(self):
+    def test_rows_before_a_lost_packet_remain(self):
         """Section 14: of a code whose packet is lost, the rows before the loss remain."""
         for name in ("slices_long", "slices_noise"):
             frames = streams.frames((PROJECT / f"tests/support/golden/{name}.dmc").read_bytes())
@@ -282,18 +282,18 @@ class Compare(unittest.TestCase):
                     stream = decoded(data)
                     self.assertEqual(str(stream.lost("rows")), facts_of_command(file)["lost_rows"])
 
-    def test_later_version(self):
+    def test_streams_of_a_later_version_are_decoded(self):
         """Section 11: longer headers and trailers, a new kind of packet, an unknown extension."""
         for options in ((), ("--wire", "slices")):
             with self.subTest(options=options):
                 stream = self.compare(streams.of_later_version(self.extracted("ball", "--iso", 100, *options)))
                 self.assertFalse(stream.is_mixed)
 
-    def test_payload_that_no_encoder_wrote(self):
+    def test_a_payload_that_no_encoder_wrote_is_damaged(self):
         data = streams.with_wrong_payload(self.extracted("noise", "--iso", 128))
         self.assertEqual(len(self.compare(data).damaged), 1)
 
-    def test_fuzz_corpus(self):
+    def test_inputs_that_are_no_streams_are_refused(self):
         """Inputs that are no streams: the command refuses them, the decoder finds no header that it supports."""
         for file in sorted((PROJECT / "fuzz/corpus/wire_decode").iterdir()):
             with self.subTest(file=file.name):

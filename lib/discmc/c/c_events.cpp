@@ -9,7 +9,7 @@
 namespace discmc {
 
 static_assert(sizeof(Event) == sizeof(discmc_event) &&
-                  offsetof(Event, abandoned) == offsetof(discmc_event, abandoned) &&
+                  offsetof(Event, is_abandoned) == offsetof(discmc_event, is_abandoned) &&
                   offsetof(Event, normal) == offsetof(discmc_event, normal) &&
                   offsetof(Event, run) == offsetof(discmc_event, run) &&
                   offsetof(Event, row) == offsetof(discmc_event, row) &&

@@ -60,7 +60,7 @@ discmc_receiver_info discmc_receiver_get_info(const discmc_receiver* receiver) {
           report.has_header,
           report.has_trailer,
           report.holds_slices,
-          report.abandoned,
+          report.is_abandoned,
           report.is_complete(),
           report.is_unreadable,
           report.is_mixed,

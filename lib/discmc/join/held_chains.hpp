@@ -98,7 +98,7 @@ class HeldChains {
 
   void drop_first_run(uint32_t index);
 
-  /// The state of any chain up to last_used(), in use or not.
+  /// The state of any chain up to peak(), in use or not.
   DISCMC_NO_ADDRESS_CHECK HeldChain::State state(uint32_t chain) const {
     return chains_[chain].state;
   }
@@ -112,7 +112,6 @@ class HeldChains {
   WaitingKey end_key(uint32_t index) const;
 
   /// No chain in use has a larger index.
-  uint32_t last_used() const { return chains_.peak(); }
   uint32_t peak() const { return chains_.peak(); }
   uint32_t run_peak() const { return runs_.peak(); }
 

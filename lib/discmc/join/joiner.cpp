@@ -142,7 +142,7 @@ bool Joiner::process_start(const Event& event) {
 bool Joiner::process_finish(const Event& event) {
   if (order_ == InputOrder::any || !has_finish_) {
     has_finish_ = true;
-    was_abandoned_ = was_abandoned_ || event.abandoned;
+    was_abandoned_ = was_abandoned_ || event.is_abandoned;
     slices_ += event.slice;
     if (event.statistics != nullptr) add_totals(totals_, *event.statistics);
   }
@@ -169,7 +169,7 @@ bool Joiner::pass_loose(const Event& event) {
 // Joins the fragment that has arrived with its neighbours.
 void Joiner::place_fragment() {
   const uint32_t arrived = arriving_;
-  if (chains()[arrived].first_run == detail::join::no_chain) {
+  if (chains()[arrived].first_run == detail::join::no_run) {
     fate_ = Fate::ignored;
     return;
   }
@@ -227,7 +227,7 @@ Event Joiner::next_event() const {
   }
   event.incidence = chain.incidence;
   event.incoming_direction = chain.incoming;
-  event.hole = chain.is_hole();
+  event.is_hole = chain.is_hole();
   event.start = chain.start;
   return event;
 }
@@ -251,7 +251,7 @@ void Joiner::go_on() {
     default:  // ring and fragment
       next_kind_ = Event::Kind::run;
   }
-  if (chains()[delivered_].first_run == detail::join::no_chain) end_chain();
+  if (chains()[delivered_].first_run == detail::join::no_run) end_chain();
 }
 
 // Ends a chain after its last run.
@@ -307,7 +307,7 @@ void Joiner::let_all_go() {
 // Begins the delivery of the next chain that is passed on. False if none is left.
 bool Joiner::begin_next_loose() {
   if (!is_letting_go_) return false;
-  while (looked_at_ < chains().last_used()) {
+  while (looked_at_ < chains().peak()) {
     const uint32_t chain = ++looked_at_;
     if (chain == arriving_ || chains().state(chain) == detail::join::HeldChain::State::unused)
       continue;
@@ -350,7 +350,7 @@ bool Joiner::send_finish() {
   Event event{};
   event.kind = Event::Kind::finish;
   event.slice = slices_;
-  event.abandoned = was_abandoned_;
+  event.is_abandoned = was_abandoned_;
   event.statistics = &totals;
   has_finish_ = !offer(event);
   return !has_finish_;

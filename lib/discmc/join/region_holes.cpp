@@ -28,7 +28,7 @@ void RegionHoles::follow(const Event& event, WaitingChains& waiting) {
       return;
     case Event::Kind::ring:
       at_ = event.start;
-      if (!event.hole) is_followed_ = waiting.rings().has_any(chains, incidence_, at_);
+      if (!event.is_hole) is_followed_ = waiting.rings().has_any(chains, incidence_, at_);
       return;
     case Event::Kind::run:
       if (!is_followed_) return;

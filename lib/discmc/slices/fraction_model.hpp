@@ -30,12 +30,12 @@ class FractionProbability {
   constexpr operator LearntProbability() const { return LearntProbability(of_one_); }
   /// Adapts to a bit: by half of the way to its certainty at first, later by a 32nd.
   constexpr void learn(bool bit) {
-    constexpr uint32_t most = 7;
-    const uint32_t count = of_one_ & most;
+    constexpr uint32_t max_count = 7;
+    const uint32_t count = of_one_ & max_count;
     const uint32_t rate = (count + 3) >> 1;
     uint32_t one = of_one_ >> 3;
     one = bit ? one + ((8191 - one) >> rate) : one - (one >> rate);
-    of_one_ = static_cast<uint16_t>(one << 3 | (count < most ? count + 1 : most));
+    of_one_ = static_cast<uint16_t>(one << 3 | (count < max_count ? count + 1 : max_count));
   }
 
  private:

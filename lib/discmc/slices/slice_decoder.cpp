@@ -74,8 +74,8 @@ void SliceDecoder::open(PacketReader::Completed arrival) {
   if (arrival == PacketReader::Completed::slices) open_slices();
   if (arrival == PacketReader::Completed::application) stage_ = Stage::application;
   if (arrival == PacketReader::Completed::trailer) {
-    const uint64_t most = uint64_t{Limits::max_slices} * header().height;
-    const uint64_t total = report().total_rows < most ? report().total_rows : most;
+    const uint64_t max_rows = uint64_t{Limits::max_slices} * header().height;
+    const uint64_t total = report().total_rows < max_rows ? report().total_rows : max_rows;
     lost_rows_ = total > passed_rows_ ? total - passed_rows_ : 0;
     stage_ = Stage::lose;
   }
@@ -327,8 +327,8 @@ bool SliceDecoder::hand_out() {
 bool SliceDecoder::offer(RowEvent::Kind kind) {
   RowEvent event{};
   event.kind = kind;
-  event.repeated = note_ == RowNote::repeated;
-  event.abandoned = report().abandoned;
+  event.is_repeated = note_ == RowNote::repeated;
+  event.is_abandoned = report().is_abandoned;
   event.slice = kind == RowEvent::Kind::finish ? report().slices : slice_;
   event.row = surfaces_.rows().rows();
   event.channel = static_cast<uint8_t>(header().channel + surface_);

@@ -112,7 +112,7 @@ SinkResult SurfaceDecoder::accept(const RowEvent& event) {
       return is_refused(extractor_.push_bits(event.bits)) ? SinkResult::busy : SinkResult::accepted;
     case RowEvent::Kind::skipped:
       if (event.channel != wanted_channel()) return SinkResult::accepted;
-      return skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
+      return skip(1, event.is_repeated ? Substitute::previous_row : Substitute::off);
     case RowEvent::Kind::lost:
       return skip(event.count, Substitute::off);
     case RowEvent::Kind::fractions: {
@@ -133,7 +133,7 @@ SinkResult SurfaceDecoder::accept(const RowEvent& event) {
     case RowEvent::Kind::finish:
       break;
   }
-  return end(event.abandoned);
+  return end(event.is_abandoned);
 }
 
 // Passes an event that the extractor does not send. Events of the rows before come first, and a

@@ -85,7 +85,7 @@ void Decoder::note_application() {
 void Decoder::note_finish() {
   Event& finish = packet_mark(Event::Kind::finish);
   finish.slice = report().slices;
-  finish.abandoned = report().abandoned;
+  finish.is_abandoned = report().is_abandoned;
   finish.statistics = &report().totals;
 }
 
@@ -153,7 +153,7 @@ void Decoder::read_mark(RecordKind kind) {
     mark_.kind = Event::Kind::skipped;
     mark_.slice = model_.plain_number(0);
     mark_.row = model_.plain_number(0);
-    mark_.repeated = model_.even(1, 0) != 0;
+    mark_.is_repeated = model_.even(1, 0) != 0;
   }
   stage_ = Stage::mark;
 }
@@ -252,7 +252,7 @@ bool Decoder::deliver_record() {
     if (is_ring) {
       event.kind = Event::Kind::ring;
       event.start = record_.start_at(sent_words_);
-      event.hole = !is_first_ring_;
+      event.is_hole = !is_first_ring_;
     } else {
       event.kind = Event::Kind::run;
       event.run = Run::from_code(record_.word[sent_words_]);

@@ -121,8 +121,9 @@ Status Encoder::write_record(const ApplicationRecord& record) {
 }
 
 Status Encoder::append(const RecordsPacket& packet) {
-  const size_t most = packet.is_whole ? detail::wire::max_whole_regions : detail::wire::max_payload;
-  const Status status = ready_for_packet(packet.bytes <= most && packet.pieces <= 0xFFFF);
+  const size_t max_bytes =
+      packet.is_whole ? detail::wire::max_whole_regions : detail::wire::max_payload;
+  const Status status = ready_for_packet(packet.bytes <= max_bytes && packet.pieces <= 0xFFFF);
   if (status != Status::ok) return status;
   packets_.seal_appended(packet);
   (void)drain();  // it is taken, whenever the output takes it
@@ -235,7 +236,7 @@ DISCMC_ALWAYS_INLINE bool Encoder::encode_whole(Model& model, const Event& event
       model.record_kind(detail::stream::RecordKind::skipped);
       model.plain_number(event.slice);
       model.plain_number(event.row);
-      model.even(1, event.repeated ? 1 : 0);
+      model.even(1, event.is_repeated ? 1 : 0);
       return true;
     default:
       if constexpr (is_host)

@@ -272,7 +272,7 @@ bool PacketReader::read_header() {
 void PacketReader::note_end(detail::wire::ByteReader& reader) {
   report_.has_trailer = true;
   report_.slices = static_cast<uint32_t>(reader.get(4));
-  report_.abandoned = reader.get(1) != 0;
+  report_.is_abandoned = reader.get(1) != 0;
 }
 
 // The digest has no meaning if packets are missing.

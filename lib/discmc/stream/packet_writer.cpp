@@ -69,7 +69,7 @@ DISCMC_ALWAYS_INLINE void PacketWriter::put_delimiter() {
 
 void PacketWriter::seal_trailer(const Event& finish) {
   uint8_t* to = detail::wire::put(payload(), finish.slice, 4);
-  to = detail::wire::put(to, finish.abandoned ? 1 : 0, 1);
+  to = detail::wire::put(to, finish.is_abandoned ? 1 : 0, 1);
   for (const auto total : detail::wire::trailer_totals)
     to = detail::wire::put_long(to, finish.statistics->*total);
   is_under_way_ = false;

@@ -141,8 +141,8 @@ class RecordModel {
 
   // ---- a ring ----
 
-  /// Three or four corners as one symbol; 0 if the ring is coded run by run. Else 1 + the three
-  /// turns less 1, as digits of base link_class() + 1, the lowest first.
+  /// Three or four corners as one symbol; 0 if the ring is coded run by run. Else 1 + d0 + d1 n +
+  /// d2 n^2, with n = link_class() + 1 and di = turn i less 1.
   uint32_t corners(uint32_t corners) { return of_class(rows::corners(link_class_), corners); }
   /// The distance of the first direction from the first direction that leads back.
   uint32_t ring_direction(uint32_t from);
@@ -312,9 +312,9 @@ Vertex RecordModel<Coder>::start(const Vertex& start) {
   return start_;
 }
 
-// All incidences around a vertex have one sign along its edge, and those on the other edges of its
-// voxel have the same. The other two components are predicted from the previous incidence; a
-// negative sign mirrors them.
+// Incidences point from on to off, so all edges at one voxel give the same sign along their axes:
+// it is coded once. The other two components are predicted from the previous incidence; a negative
+// sign mirrors them.
 template <class Coder>
 Incidence RecordModel<Coder>::incidence(Incidence incidence) {
   using rows::other_heading;

@@ -47,7 +47,7 @@ constexpr uint32_t of_diagonals = plain + of_number;
 constexpr uint32_t ring_direction = 0;
 constexpr uint32_t two_lengths = ring_direction + 4;
 constexpr uint32_t by_direction = two_lengths + 4 * 4;
-// Then rows with one symbol per direction, or two; their offsets count rows of one.
+// Then rows by direction. Their offsets count directions; a row of `turn` has two symbols each.
 constexpr uint32_t cut_turn = 0;  ///< 2, by level
 constexpr uint32_t first_direction = cut_turn + 2;
 constexpr uint32_t turn = first_direction + 1;  ///< of two; across an axis by parity

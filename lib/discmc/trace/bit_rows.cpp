@@ -79,8 +79,8 @@ void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int
         may_be_off = bits == 0;
       }
     } else {
-      const uint32_t most = stride == 1 ? on.samples_to_word(samples) : max_placed;
-      for (; taken < most && taken < count; ++taken)
+      const uint32_t max_taken = stride == 1 ? on.samples_to_word(samples) : max_placed;
+      for (; taken < max_taken && taken < count; ++taken)
         bits |= static_cast<uint32_t>(on.reached(samples[size_t{taken} * stride])) << taken;
     }
     if (bits != 0) turn_on(words, bits);

@@ -70,7 +70,7 @@ class Delivery {
   Event event_{};           // the next one; its start is that of the chain
   Index last_ = no_slot;    // of the chain's runs
   Cursor first_;
-  Cursor cursor_;  // behind the next event's run
+  Cursor cursor_;  // behind the run of event_
   Holes<Index, Normal> holes_;
 };
 
@@ -116,26 +116,27 @@ void Delivery<Index, Normal, holes_wait>::begin(Chains& chains) {
   }
   begin_ring(slots);
   constexpr uint32_t min_spare = minimum_capacities().slots + Holes<Index, Normal>::slots_each;
-  if (holes_wait && event_.hole && holes_.count() < max_holes_ &&
-      // Never seen false: fragments are cut before so few slots are left. If it ever is, the hole
-      // goes out loose.
+  if (holes_wait && event_.is_hole && holes_.count() < max_holes_ &&
+      // Untested branch: fragments leave early before so few slots are left. If it is ever taken,
+      // the hole is sent as a fragment.
       chains.spare() >= min_spare) {
     holes_.keep(slots, out);
     out.kind = Out::Kind::none;
     return;
   }
-  holes_due_ = !holes_wait || event_.hole ? 0 : holes_.mark(slots, out);
+  holes_due_ = !holes_wait || event_.is_hole ? 0 : holes_.mark(slots, out);
   is_delivering_ = true;
-  is_fragment_ = event_.hole;
+  is_fragment_ = event_.is_hole;
   event_.kind = is_fragment_ ? Event::Kind::fragment : Event::Kind::region;
 }
 
 // Finds where to begin, whether the ring is a hole, and the direction before its first run.
 //
 // A ring begins at its last vertex in the order z, y, x. This vertex is always a corner. It lies
-// near the front of the sweep, and only some directions are possible there, so its code is short.
-// The vertex is a top: the ring ascends to it and descends from it. A plane has at most one top per
-// vertex, so a ring passes its last vertex once. Holes turn right there; all other rings turn left.
+// near the front of the sweep, and only some directions are possible there, so record_model.hpp
+// codes the first one in few bits. The vertex is a top: the ring ascends to it and descends from
+// it. A plane has at most one top per vertex, so a ring passes its last vertex once. Holes turn
+// right there; all other rings turn left.
 template <class Index, class Normal, bool holes_wait>
 void Delivery<Index, Normal, holes_wait>::begin_ring(const Slots& slots) {
   const Incidence incidence = event_.incidence;
@@ -157,7 +158,8 @@ void Delivery<Index, Normal, holes_wait>::begin_ring(const Slots& slots) {
     cursor.advance(slots);
   } while (cursor != end);
   event_.start = event_.start - way;
-  event_.hole = turns_right(incidence, event_.incoming_direction, direction_of(first_.run(slots)));
+  event_.is_hole =
+      turns_right(incidence, event_.incoming_direction, direction_of(first_.run(slots)));
 }
 
 // Begins with the next of the marked holes. False when there is none.

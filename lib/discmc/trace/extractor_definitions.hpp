@@ -291,7 +291,7 @@ bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
   return sweep_.sweep(row, intake_, sink_, statistics_);
 }
 
-// Without those of context.
+// The slices of the slab itself, without context slices.
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::own_slices() const {
   const uint32_t context = (continues_below() ? 1U : 0U) + (continues_above() ? 1U : 0U);
@@ -330,8 +330,8 @@ bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
   event.kind = kind;
   event.slice = bits_.slices() + first_slice() - below;
   event.row = bits_.rows() - 1;
-  event.repeated = due_ == Due::repeated_row;
-  event.abandoned = abandoned_;
+  event.is_repeated = due_ == Due::repeated_row;
+  event.is_abandoned = abandoned_;
   event.statistics = &statistics_;
   if (kind == Event::Kind::finish) event.slice = own_slices();
   return sink_.accept(sink_.context, event) == SinkResult::accepted;

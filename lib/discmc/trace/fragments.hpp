@@ -27,11 +27,11 @@ namespace discmc::detail::trace {
 
 /// What a link adds to a place, and how to count links between two places without a division.
 struct LinkSteps {
-  static constexpr int longest = 6;
+  static constexpr int max_step = 6;
   static constexpr uint32_t fraction_bits = 15;
 
   int8_t of[link_codes];
-  uint16_t inverse[longest + 1];  ///< of the length of a step, rounded up
+  uint16_t inverse[max_step + 1];  ///< of the length of a step, rounded up
 };
 namespace derive {
 constexpr LinkSteps link_steps() {
@@ -40,7 +40,7 @@ constexpr LinkSteps link_steps() {
     const Vertex v = link_vector(link);
     steps.of[link] = static_cast<int8_t>(3 * v.x + 2 * v.y + v.z);
   }
-  for (int step = 1; step <= LinkSteps::longest; ++step)
+  for (int step = 1; step <= LinkSteps::max_step; ++step)
     steps.inverse[step] = static_cast<uint16_t>((1 << LinkSteps::fraction_bits) / step + 1);
   return steps;
 }
@@ -55,11 +55,11 @@ constexpr uint32_t max_side_places = 4080;
 inline bool is_full_side(Place from, Place to) {
   return (to - from + max_side_places - 1) % (1U << place_bits) >= 2 * max_side_places - 1;
 }
-static_assert(2 * (max_side_places + LinkSteps::longest) < 1U << place_bits,
+static_assert(2 * (max_side_places + LinkSteps::max_step) < 1U << place_bits,
               "two sides, each with a link more, are less than all places");
-static_assert(2 * (max_side_places + LinkSteps::longest) <= longest_short_run,
+static_assert(2 * (max_side_places + LinkSteps::max_step) <= max_short_length,
               "a run has room for two sides of links that count one each");
-static_assert(short_run(7, longest_short_run) == UINT16_MAX && 3 + place_bits <= 16,
+static_assert(short_run(7, max_short_length) == UINT16_MAX && 3 + place_bits <= 16,
               "a run, and a side, have a direction and 13 bits");
 static_assert(1U << place_bits < 1U << LinkSteps::fraction_bits,
               "what rounding adds to an inverse is less than a link");
@@ -96,16 +96,16 @@ class Fragments {
   using Lists = RunLists<Index, Normal>;
 
   /// No fragment is sent early while this many slots are free.
-  static constexpr uint32_t plenty = 1024;
+  static constexpr uint32_t min_spare_to_hold = 1024;
   /// The most slots that a pass takes.
   static constexpr uint32_t slots_per_pass = 6;
-  /// This many further slots, or half of all, are withheld from ends that wait for the next slice.
-  static constexpr uint32_t max_kept = 80;
+  /// Slots reserved for ends within the slice: this many, or half of all.
+  static constexpr uint32_t max_reserved = 80;
 
   void start(Slot<Index, Normal>* slots, uint32_t capacity, Queue<Index>* queues) {
     slots_.start(slots, capacity);
     queues_.start(queues);
-    kept_for_slice_ = capacity / 2 < max_kept ? capacity / 2 : max_kept;
+    kept_for_slice_ = capacity / 2 < max_reserved ? capacity / 2 : max_reserved;
     enough_for_ends_ = slots_per_pass + 2 * kept_for_slice_;
   }
   void clear() {
@@ -141,7 +141,8 @@ class Fragments {
   /// Puts an end that waits, or was lost, behind the others of its queue.
   void push(uint8_t queue, Index end) { queues_.push(slots_, queue, end); }
   void push_lost(uint8_t queue) { queues_.push_lost(slots_, queue); }
-  /// Makes the two ends of a fragment name each other, and one of them its runs.
+  /// Makes the two ends mates and stores the runs in both. If neither is loose, only the tail's
+  /// copy stays valid.
   void connect(Index begin, Index tail, Index list);
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
@@ -206,7 +207,7 @@ class Fragments {
   uint32_t min_spare(uint8_t queue, Index mate) const;
   // Whether fragments have to be sent early, and this one is long enough.
   bool should_send(Index list, Index other = no_slot) const {
-    return spare() < plenty && is_long(list, other);
+    return spare() < min_spare_to_hold && is_long(list, other);
   }
   bool is_long(Index list, Index other) const;
   void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
@@ -303,18 +304,18 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& p
                                                                    Index begin,
                                                                    const Intake& intake) {
   const Place here = place_of(vertex);
-  const bool is_waiting = admits(pass.in, end(begin).mate);
+  const bool may_wait = admits(pass.in, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();
   if (has_new_runs) {
     turn_back(begin, pass.second, moved(here, pass.first), direction(pass, pass.first),
               intake.normal_at(last_corner(pass, vertex)));
   }
-  if (pass.turns() || !is_waiting || is_full_side(here, end(begin).side.place())) {
+  if (pass.turns() || !may_wait || is_full_side(here, end(begin).side.place())) {
     turn_back(begin, pass.first, here, direction(pass, pass.incoming),
               normal_where(pass.turns(), vertex, intake));
     has_new_runs = true;
   }
-  if (!is_waiting) {
+  if (!may_wait) {
     push_lost(pass.in);
     return cut_begin(pass, begin, pass.incoming, vertex);
   }

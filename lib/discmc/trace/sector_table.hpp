@@ -3,13 +3,16 @@
 // A vertex lies on a crossing edge, which four cells share. Seen along the edge's axis they are the
 // quadrants 0 to 3, counter-clockwise; u and v are the two axes that follow in cyclic order:
 //
-//             v                 Nine lines of voxels run along the axis. The middle line crosses;
-//       3     2     1           the others are the circle, lines 0 to 7. Each line has two bits:
-//       the
-//          q1 | q0              voxel at the lower end of the edge, and that at the upper end.
+//             v
+//       3     2     1
+//          q1 | q0
 //       4 --- o --- 0   u
-//          q2 | q3              Quadrant q has the lines 2q, 2q + 1, 2q + 2 of the circle.
+//          q2 | q3
 //       5     6     7
+//
+// Nine lines of voxels run along the axis: the middle line, which crosses, and the lines 0 to 7 of
+// the circle. A line has two bits, for the lower and the upper end of the edge. Quadrant q has the
+// lines 2q, 2q + 1 and 2q + 2 of the circle.
 //
 // In each cell one loop passes the vertex, from the face at line 2q to the face at line 2q + 2. Its
 // facets there have one incidence, or two with a spoke to the centroid between them. So each

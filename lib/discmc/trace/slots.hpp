@@ -54,9 +54,9 @@ class Side {
   uint16_t code_;
 };
 
-/// A complete straight side in two bytes: direction, and 1 to longest_short_run links. 0: none.
+/// A complete straight side in two bytes: direction, and 1 to max_short_length links. 0: none.
 using ShortRun = uint16_t;
-constexpr uint32_t longest_short_run = 8191;
+constexpr uint32_t max_short_length = 8191;
 
 constexpr ShortRun short_run(Direction direction, uint32_t length) {
   return static_cast<ShortRun>(length << 3 | direction);

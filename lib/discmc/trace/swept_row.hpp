@@ -109,6 +109,9 @@ class SweepCounts {
     translate(triangles_, CountParts::triangle, statistics.classic_triangles);
   }
 
+  /// What is not a whole triangle, after add_to().
+  uint32_t triangle_parts() const { return triangles_; }
+
  private:
   static void translate(uint32_t& parts, uint32_t parts_of_one, uint64_t& total) {
     if constexpr (has_division) {

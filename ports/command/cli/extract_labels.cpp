@@ -89,7 +89,7 @@ std::vector<FoundLabel> smoothed_labels_of(VolumeReader& volume, const LabelOpti
   return found;
 }
 
-// Without their names.
+// The labels have no names yet.
 std::vector<FoundLabel> surfaces_of(VolumeReader& volume, const ExtractArguments& arguments,
                                     std::optional<std::set<LabelValue>> chosen) {
   const auto deviation = smoothing_mm(arguments.reading, volume.info());

@@ -108,9 +108,9 @@ void print_table(const Extraction& extraction, const Counts& counts, std::uint64
   row(out, "classic Marching Cubes", grouped(statistics.classic_triangles), "triangles");
   row(out, "facets", grouped(statistics.facets));
   row(out, "regions", grouped(counts.regions));
-  row(out, "  with 3 corners", grouped(counts.three));
-  row(out, "  with 4 corners", grouped(counts.four));
-  row(out, "  with more", grouped(counts.more));
+  row(out, "  with 3 corners", grouped(counts.of_three_corners));
+  row(out, "  with 4 corners", grouped(counts.of_four_corners));
+  row(out, "  with more", grouped(counts.of_more_corners));
   row(out, "holes", grouped(counts.holes));
   row(out, "triangles per polygon", ratio(statistics.classic_triangles, counts.regions));
   row(out, "bytes of stream", grouped(stream_bytes),
@@ -139,9 +139,9 @@ void print_info(const StreamHeader& header, std::uint8_t channel,
       << "holes " << counts.holes << '\n'
       << "links " << counts.links << '\n'
       << "corners " << counts.corners << '\n'
-      << "polygons_3 " << counts.three << '\n'
-      << "polygons_4 " << counts.four << '\n'
-      << "polygons_5plus " << counts.more << '\n'
+      << "polygons_3 " << counts.of_three_corners << '\n'
+      << "polygons_4 " << counts.of_four_corners << '\n'
+      << "polygons_5plus " << counts.of_more_corners << '\n'
       << "normals " << counts.normals << '\n'
       << "fragments " << report.totals.fragments << '\n'
       << "skipped_rows " << report.totals.skipped_rows << '\n'
@@ -153,7 +153,7 @@ void print_info(const StreamHeader& header, std::uint8_t channel,
       << "foreign_packets " << report.foreign_packets << '\n'
       << "mixed " << (report.is_mixed ? "yes" : "no") << '\n'
       << "bytes " << report.bytes << '\n'
-      << "abandoned " << (report.abandoned ? "yes" : "no") << '\n'
+      << "abandoned " << (report.is_abandoned ? "yes" : "no") << '\n'
       << "complete " << (report.is_complete() ? "yes" : "no") << '\n';
   for (const StreamHeader& stream : streams)
     for (std::uint32_t surface = 0; surface < stream.surface_count; ++surface)

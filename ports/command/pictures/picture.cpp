@@ -253,9 +253,9 @@ Picture develop(const Canvas& canvas, const FaceMesh& mesh, Shader& shader,
 }
 
 void check(const FaceMesh& mesh, const PictureOptions& options) {
-  constexpr int largest = 8192;
-  if (options.width < 1 || options.height < 1 || options.width > largest ||
-      options.height > largest)
+  constexpr int max_pixels = 8192;
+  if (options.width < 1 || options.height < 1 || options.width > max_pixels ||
+      options.height > max_pixels)
     throw std::invalid_argument("the size of the picture is out of range");
   if (!(options.zoom >= 1e-3 && options.zoom <= 1e3))
     throw std::invalid_argument("the zoom is out of range");

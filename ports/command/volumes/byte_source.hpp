@@ -86,7 +86,7 @@ std::unique_ptr<ByteSource> inflated(std::unique_ptr<ByteSource> in);
 /// The content of this many zlib streams, one after the other.
 std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std::uint64_t count);
 
-/// The six bits that a character of base64 stands for; more than 63: it stands for none.
+/// The six bits of a character of base64; more than 63 if it is not one.
 unsigned base64_value(char c);
 
 /// The bytes of text in base64, in parts that are each filled up, up to the first '<'.

@@ -151,8 +151,8 @@ SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
 void check_options(const MeshOptions& options) {
   require_number("tolerance", options.tolerance);
   require_number("smoothing", options.smoothing);
-  constexpr double widest = 1e6;
-  if (options.smoothing > widest)
+  constexpr double max_smoothing = 1e6;
+  if (options.smoothing > max_smoothing)
     refuse("smoothing is " + text_of(options.smoothing) + "; give 0 to 1e6");
   require_number("max_error", options.max_error);
   const bool leaves_midpoints = is_interpolated(options) || options.relaxes;

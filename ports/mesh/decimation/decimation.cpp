@@ -44,13 +44,10 @@ struct SharedTriangles {
 
 // Those of the mesh, numbered along a curve: what is near is then near in memory, too.
 SharedTriangles triangles_along_curve(const FaceMesh& mesh) {
-  std::vector<Box> boxes;
-  boxes.reserve(mesh.face_count());
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+  const std::vector<Box> boxes = boxes_of(mesh.face_count(), [&](std::uint32_t face) {
     const std::uint32_t* of = mesh.face(face);
-    boxes.emplace_back(
-        Corners{mesh.vertices_mm[of[0]], mesh.vertices_mm[of[1]], mesh.vertices_mm[of[2]]});
-  }
+    return Corners{mesh.vertices_mm[of[0]], mesh.vertices_mm[of[1]], mesh.vertices_mm[of[2]]};
+  });
   constexpr std::uint32_t none = ~0U;
   std::vector<std::uint32_t> numbers(mesh.vertices_mm.size(), none);
   SharedTriangles result;

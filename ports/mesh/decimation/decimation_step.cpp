@@ -9,14 +9,6 @@
 namespace discmc::meshing {
 namespace {
 
-std::vector<Box> boxes_of(const CollapsingMesh& mesh) {
-  std::vector<Box> boxes;
-  boxes.reserve(mesh.triangle_slots());
-  for (std::uint32_t triangle = 0; triangle < mesh.triangle_slots(); ++triangle)
-    boxes.emplace_back(mesh.corners(triangle));
-  return boxes;
-}
-
 constexpr std::uint32_t block_triangles = 10'000;
 constexpr std::uint64_t collapses_a_check = 4096;
 
@@ -32,7 +24,8 @@ DecimationStep::DecimationStep(const DecimatedSurface& from, const OriginalSurfa
       mesh_(from.points, from.triangles),
       left_(from.left),
       placing_(mesh_),
-      tree_(boxes_of(mesh_)),
+      tree_(boxes_of(mesh_.triangle_slots(),
+                     [this](std::uint32_t triangle) { return mesh_.corners(triangle); })),
       changes_(from.points.size()),
       is_refused_(from.points.size()) {}
 

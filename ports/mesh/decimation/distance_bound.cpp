@@ -8,15 +8,6 @@
 namespace discmc::meshing {
 namespace {
 
-std::vector<Box> boxes_of(const std::vector<Point>& points,
-                          const std::vector<Triangle>& triangles) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (const Triangle& each : triangles)
-    boxes.emplace_back(Corners{points[each[0]], points[each[1]], points[each[2]]});
-  return boxes;
-}
-
 Box box_around(const Point& point, double distance) {
   Corners opposite = {point, point, point};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -42,13 +33,16 @@ Point centroid(const Corners& triangle) {
 OriginalSurface::OriginalSurface(std::vector<Point> points, std::vector<Triangle> triangles)
     : points_(std::move(points)),
       triangles_(std::move(triangles)),
-      tree_(boxes_of(points_, triangles_)) {}
+      tree_(boxes_of(triangles_.size(), [this](std::uint32_t i) { return corners(i); })) {}
+
+Corners OriginalSurface::corners(std::uint32_t triangle) const {
+  const Triangle& of = triangles_[triangle];
+  return {points_[of[0]], points_[of[1]], points_[of[2]]};
+}
 
 bool OriginalSurface::is_near(const Point& point, double distance) const {
   const auto is_triangle_near = [&](std::uint32_t triangle) {
-    const Triangle& of = triangles_[triangle];
-    const Corners corners = {points_[of[0]], points_[of[1]], points_[of[2]]};
-    if (squared_distance(point, corners) > distance * distance) return false;
+    if (squared_distance(point, corners(triangle)) > distance * distance) return false;
     last_ = triangle;
     return true;
   };

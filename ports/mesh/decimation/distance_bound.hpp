@@ -25,6 +25,8 @@ class OriginalSurface {
   bool is_near(const Collapse& collapse, double distance) const;
 
  private:
+  Corners corners(std::uint32_t triangle) const;
+
   std::vector<Point> points_;
   std::vector<Triangle> triangles_;
   BoxTree tree_;

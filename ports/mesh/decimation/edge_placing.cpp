@@ -48,7 +48,7 @@ Point rounded(const Point& point) {
 constexpr double border_weight = 100;
 constexpr double towards_middle = 1e-3;          // of the mean curvature of the quadric
 constexpr double min_area = 1e-4;                // of a volume constraint, against the area around
-constexpr double farthest_move = 1;              // from the middle of an edge; Units: its length
+constexpr double max_move = 1;                   // from the middle of an edge; Units: its length
 constexpr double shape = 1e-6, in_plane = 1e-9;  // short edges first where the cost is equal
 
 }  // namespace
@@ -118,7 +118,7 @@ std::optional<EdgePlacing::Place> EdgePlacing::place(std::uint32_t a, std::uint3
     const double slope = dot(normal, way);
     if (slope > 0 && dot(normal, normal) > min_area * min_area * area * area)
       x = plus(x, way, (height - dot(normal, x)) / slope);
-    if (!(dot(x, x) <= farthest_move * farthest_move * squared_length)) return std::nullopt;
+    if (!(dot(x, x) <= max_move * max_move * squared_length)) return std::nullopt;
   }
   const Point to = rounded(plus(middle, x));
   return Place{to, error(difference(to, middle)) + shape * squared_length * squared_length +

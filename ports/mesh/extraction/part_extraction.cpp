@@ -25,9 +25,9 @@ namespace {
 // joined. As parts follow each other from below, the pieces of a region come in the order of a
 // sweep.
 //
-// A hole may go out loose, as a ring, although the region around it is whole: where a fragment of
-// its plane goes out before. Then the region is to be joined, too. Holes that cross a seam are in
-// regions that do: nothing of a hole lies below all of what surrounds it, or above.
+// If a fragment of its plane is sent before a hole, the hole is sent as a loose ring, although its
+// region is whole. Then the region is to be joined, too. Holes that cross a seam are in regions
+// that do: nothing of a hole lies below all of what surrounds it, or above.
 class PartSurface {
  public:
   explicit PartSurface(const SurfaceRequest& request) {
@@ -190,7 +190,7 @@ class PartReader {
 
 using PartExtractors = Extractors<HostExtractor>;
 
-// Those at rest.
+// Extractors that no part is using.
 class IdleExtractors {
  public:
   std::unique_ptr<PartExtractors> take() {
@@ -342,12 +342,13 @@ class Parts {
 }  // namespace
 
 std::vector<SliceSpan> parts_of(const SampleGrid& info, const SliceSpan& slices) {
-  constexpr std::uint32_t least = 16, most = 32, parts = 8;
+  constexpr std::uint32_t min_thickness = 16, max_thickness = 32, min_parts = 8;
   constexpr std::uint64_t max_bytes = std::uint64_t{64} << 20;
   const std::uint32_t depth = slices.count();
   const auto max_slices = static_cast<std::uint32_t>(
-      std::clamp<std::uint64_t>(max_bytes / info.slice_bytes(), 2, most));
-  const std::uint32_t thickness = std::min(std::clamp(depth / parts, least, most), max_slices);
+      std::clamp<std::uint64_t>(max_bytes / info.slice_bytes(), 2, max_thickness));
+  const std::uint32_t thickness =
+      std::min(std::clamp(depth / min_parts, min_thickness, max_thickness), max_slices);
   const std::uint32_t count = (depth + thickness - 1) / thickness;
   const auto end_of = [&](std::uint32_t part) {
     return slices.first + static_cast<std::uint32_t>(std::uint64_t{depth} * part / count);

@@ -73,8 +73,8 @@ struct SurfaceRequest {
   /// all. Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;
-  /// Is offered regions before the sink receives their events, if it is there. In parts, the
-  /// builder gets them.
+  /// If set, is offered each region of one ring before the sink receives its events. In parts, the
+  /// builder receives these regions instead.
   RegionReceiver regions{};
 };
 

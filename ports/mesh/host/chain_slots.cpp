@@ -53,7 +53,7 @@ class Sides {
   Direction direction(Link link) const { return direction_of(last_.incidence(), link); }
   void add_side(Direction direction, uint32_t length) {
     while (length > 0) {
-      const uint32_t most = detail::trace::longest_short_run;
+      const uint32_t most = detail::trace::max_short_length;
       const uint32_t taken = length < most ? length : most;
       Lists::Entry entry;
       entry.run = detail::trace::short_run(direction, taken);
@@ -82,7 +82,7 @@ class Sides {
 
 // Makes the end that waits at a corner. side: the link of its direction. ahead: the link away from
 // the fragment. Links that the sweep has surely passed become a run, so the rest of the side is
-// short. may_turn: none does, as the chain may turn at the next centroid.
+// short. may_turn: the chain may turn at the next centroid, so no link becomes a run.
 uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link ahead,
                  bool may_turn, const Front& front) {
   Vertex vertex = corner.vertex();

@@ -27,7 +27,7 @@ bool Chains::start(Slots& slots) {
   (void)new_area(slots, 1);
   uint32_t seat = new_area(slots, room_.seat_slots()).first * seats_per_slot;
   for_each_queue([&](uint32_t queue) {
-    of_in_[queue] = of_out_[queue] = first_seat_[queue] = seat;
+    next_in_seat_[queue] = next_out_seat_[queue] = first_seat_[queue] = seat;
     end_seat_[queue] = seat += is_at_seam(queue) ? room_.seats_at_seam : room_.seats;
   });
   DISCMC_LIMIT(seat == seats_per_slot * (1 + room_.seat_slots()));
@@ -115,7 +115,7 @@ void Chains::copy_open(Slots& slots) {
 bool Chains::make_seats(Slots& slots) {
   find_min_free_seats();
   if (has_free_seats()) return true;
-  back(seam_tails) = front(seam_tails);
+  back(seam_tails) = front(seam_tails);  // nothing reads this queue
   for_each_queue([&](uint32_t queue) {
     const uint32_t seats = end_seat_[queue] - first_seat_[queue];
     const uint32_t free = free_seats(queue);
@@ -135,8 +135,8 @@ void Chains::find_min_free_seats() {
       min_free = free < min_free ? free : min_free;
     }
   };
-  find(end_seat_, of_out_);
-  find(end_seat_ + first_begins, of_in_ + first_begins);
+  find(end_seat_, next_out_seat_);
+  find(end_seat_ + first_begins, next_in_seat_ + first_begins);
   min_free_seats_ = min_free;
 }
 
@@ -192,7 +192,7 @@ void Chains::process(Slots& slots, const FoundPasses& passes, uint32_t edges) {
   uint32_t joins = 0;
   passes.for_each([&](const uint64_t& voxel, PassWord pass) {
     const size_t in = in_of(pass), out = out_of(pass);
-    const uint32_t in_seat = of_in_[in]++, out_seat = of_out_[out]++;
+    const uint32_t in_seat = next_in_seat_[in]++, out_seat = next_out_seat_[out]++;
     DISCMC_LIMIT(is_within_seats(in_of(pass)) && is_within_seats(out_of(pass)) && top < end_);
     DISCMC_LIMIT(joins < FoundPasses::max_passes);
     const uint32_t before = seat[in_seat], after = seat[out_seat];
@@ -206,8 +206,8 @@ void Chains::process(Slots& slots, const FoundPasses& passes, uint32_t edges) {
     node[top].set_voxel(voxel);
     node[top].next = after | goes_ahead;
     node[top].pass = pass;
-    // The node before, if there is one, leads to the new one. If the chain is straight here, no
-    // node is made, and it stays the last.
+    // The node before, if there is one, leads to the new one. If the chain is straight here, all
+    // bits are set, that is Node::no_node: the node before stays the last, and `top` does not move.
     node[before & ~comes_from_ahead].next = top | is_straight;
     join_[joins] = top;
     joins += 1 + (comes_from_ahead | goes_ahead);

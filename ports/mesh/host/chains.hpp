@@ -43,8 +43,8 @@ struct ChainRoom {
   // its sides may be long: up to eight slots of runs.
   static constexpr uint32_t slots_per_node = 10;
   static constexpr uint32_t runs_of_side =
-      (2 * (Limits::max_extent + 1) + detail::trace::longest_short_run - 1) /
-      detail::trace::longest_short_run;
+      (2 * (Limits::max_extent + 1) + detail::trace::max_short_length - 1) /
+      detail::trace::max_short_length;
   static_assert(2 + (2 * runs_of_side + 2 + 2) / 3 <= slots_per_node,
                 "two ends, two long sides, and two short ones at centroids");
   static constexpr uint32_t max_corners = 512;
@@ -141,8 +141,12 @@ class Chains {
   // node before them, and never read.
   static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[1]); }
   static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[1]); }
-  uint32_t& front(uint32_t queue) { return queue < first_begins ? of_in_[queue] : of_out_[queue]; }
-  uint32_t& back(uint32_t queue) { return queue < first_begins ? of_out_[queue] : of_in_[queue]; }
+  uint32_t& front(uint32_t queue) {
+    return queue < first_begins ? next_in_seat_[queue] : next_out_seat_[queue];
+  }
+  uint32_t& back(uint32_t queue) {
+    return queue < first_begins ? next_out_seat_[queue] : next_in_seat_[queue];
+  }
 
   static bool is_at_seam(uint32_t queue) { return queue == seam_tails || queue == seam_begins; }
   uint32_t free_seats(uint32_t queue) { return end_seat_[queue] - back(queue); }
@@ -151,7 +155,7 @@ class Chains {
            back(queue) <= end_seat_[queue];
   }
 
-  // What has_room() ensures, found in another way for checks.
+  // Counts what has_room() keeps track of once more, for checks.
   bool is_ready_for_batch(const Slots& slots) {
     const uint32_t end = area_[0].first + area_[0].slots;
     bool is_ready = end_ == end && end - top_ >= 2 * FoundPasses::max_passes &&
@@ -193,10 +197,10 @@ class Chains {
   uint32_t next_join_ = 0;
   uint32_t ring_ = 0;
   uint32_t corner_count_ = 0;
-  // By queue: the next seat for chains that arrive along it, and for chains that leave. One seat is
-  // where an end is removed, the other where one is added.
-  uint32_t of_in_[queue_codes] = {};
-  uint32_t of_out_[queue_codes] = {};
+  // By queue: the next seat of chains that arrive, and of chains that leave. From queues of tails,
+  // chains that arrive remove ends; to queues of begins they add ends.
+  uint32_t next_in_seat_[queue_codes] = {};
+  uint32_t next_out_seat_[queue_codes] = {};
   uint32_t first_seat_[queue_codes] = {};
   uint32_t end_seat_[queue_codes] = {};
   uint32_t join_[ChainRoom::max_joins + 1] = {};

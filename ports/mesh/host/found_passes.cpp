@@ -27,7 +27,7 @@ DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWo
 
 void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
   RayWord* ray = ray_;
-  Place* place = place_;
+  PassVertex* place = place_;
   uint64_t parts = 0;
   for (const Edge& edge : edges) {
     if (edge.axis >= Edge::special) {
@@ -66,7 +66,7 @@ void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
 
 // Finds the passes at an edge around which cells are absent, or the ends at the seam of a slab.
 DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, RayWord* ray,
-                                                            Place* place) const {
+                                                            PassVertex* place) const {
   // Lines 0 to 4 are in the lowest bits. Line 4 is there once more, followed by 5 to 7.
   constexpr uint32_t first_lines = (1U << HalfRays::lines_bits) - 1;
   const uint32_t lines = (edge.lines & first_lines) |

@@ -15,10 +15,11 @@ class FoundPasses {
   /// Finds the passes of some edges, and adds to the counts of cells.
   void find(const Edges& edges, detail::trace::SweepCounts& counts);
 
-  /// Calls visit(voxel, pass) for each: where the voxel at the lower end of its edge is.
+  /// Calls visit(voxel, pass) for each pass. voxel: at the lower end of its edge, as
+  /// CornerCode::position().
   template <class Visit>
   DISCMC_ALWAYS_INLINE void for_each(Visit visit) const {
-    const Place* place = place_;
+    const PassVertex* place = place_;
     for (const RayWord *ray = ray_, *const end = ray_ + rays_; ray != end;) {
       const RayWord next = ray[1];
       visit(place->voxel, ray[0] ^ ((ray[0] ^ next) & place->of_next));
@@ -33,7 +34,7 @@ class FoundPasses {
 
   // The voxel of a vertex, and the bits of its passes that come from the next ray: in_bits,
   // out_bits, or none for special vertices.
-  struct Place {
+  struct PassVertex {
     uint64_t voxel;
     uint32_t of_next;
   };
@@ -43,10 +44,10 @@ class FoundPasses {
     uint64_t parts;
   };
 
-  Added add_special(const Edge& edge, RayWord* ray, Place* place) const;
+  Added add_special(const Edge& edge, RayWord* ray, PassVertex* place) const;
 
   uint32_t rays_ = 0;  // those repeated included
-  Place place_[Edges::max_edges + 1] = {};
+  PassVertex place_[Edges::max_edges + 1] = {};
   // Four words are copied behind a first ray, however many count.
   RayWord ray_[max_passes + Edges::max_edges + 5] = {};
   static_assert(2 * sizeof(HalfRays) == detail::trace::PassList::max_passes * sizeof(RayWord),

@@ -104,9 +104,9 @@ struct RayEnds {
   uint8_t turns[queue_codes];        ///< 1 if there is a corner at that centroid, else 0
   uint32_t goes_ahead[queue_codes];  ///< all bits if the vertex after is visited later
 
-  /// Equal if the chain has no corner, and one of its ends moves from queue to queue. A begin stays
-  /// if there is a corner at the centroid before the vertex. It may wait for the next slice, and
-  /// the side up to the centroid may have any length.
+  /// straight_in[a] equals straight_out[b] if a pass from queue a to queue b has no corner and
+  /// moves one end to another queue. It never does for a begin with a corner at the centroid before
+  /// the vertex. That begin may wait for the next slice, and its side to the centroid may be long.
   uint32_t straight_in[queue_codes], straight_out[queue_codes];
 
   uint8_t number[queue_codes];                 ///< what the queue is in sector_table.hpp

@@ -54,14 +54,7 @@ bool Sweep::settle_holes(const Sink& sink, Statistics& statistics) {
 }
 
 uint32_t Sweep::left_triangle_parts() const {
-  detail::trace::SweepCounts counts = counts_;
-  Statistics next{};
-  uint32_t parts = detail::trace::CountParts::triangle;
-  for (; next.classic_triangles == 0; --parts) {
-    counts.add(0, 0, 1);
-    counts.add_to(next);
-  }
-  return parts;
+  return counts_.triangle_parts();
 }
 
 void Sweep::take_edges(Statistics& statistics) {

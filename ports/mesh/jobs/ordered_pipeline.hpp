@@ -113,19 +113,10 @@ class OrderedPipeline {
   std::exception_ptr error_;
 };
 
-/// Runs one.
+/// Runs an OrderedPipeline.
 template <class Item, class Fill, class Work, class Take>
 void run_in_order(unsigned jobs, std::size_t count, Fill fill, Work work, Take take) {
   OrderedPipeline<Item, Fill, Work, Take>(jobs, count, fill, work, take).run();
-}
-
-/// Calls work(number) for 0 to count - 1, as often at once as there are jobs.
-template <class Work>
-void run_in_any_order(unsigned jobs, std::size_t count, Work work) {
-  struct Nothing {};
-  const auto nothing = [](std::size_t, Nothing&) {};
-  run_in_order<Nothing>(
-      jobs, count, nothing, [&work](std::size_t number, Nothing&) { work(number); }, nothing);
 }
 
 }  // namespace discmc::meshing

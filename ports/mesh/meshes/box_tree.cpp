@@ -33,13 +33,13 @@ std::uint32_t place_on_curve(std::array<std::uint32_t, 3> at) {
 }
 
 std::uint32_t place_on_curve(const Box& box, const Box& all) {
-  constexpr float most = (1U << bits_an_axis) - 1;
+  constexpr float max_coordinate = (1U << bits_an_axis) - 1;
   std::array<std::uint32_t, 3> at;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float size = all.high[axis] - all.low[axis];
     const float middle = box.low[axis] / 2 + box.high[axis] / 2;
     const float part = size > 0 ? std::clamp((middle - all.low[axis]) / size, 0.0F, 1.0F) : 0;
-    at[axis] = static_cast<std::uint32_t>(part * most);
+    at[axis] = static_cast<std::uint32_t>(part * max_coordinate);
   }
   return place_on_curve(at);
 }

@@ -103,6 +103,15 @@ class FourBoxes {
   std::array<Floats, 3> low_, high_;
 };
 
+/// The boxes of triangles: corners_of(i) for i from 0 on.
+template <class CornersOf>
+std::vector<Box> boxes_of(std::size_t count, CornersOf corners_of) {
+  std::vector<Box> boxes;
+  boxes.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) boxes.emplace_back(corners_of(i));
+  return boxes;
+}
+
 /// Returns the places of boxes along a curve through space on which near ones are mostly together.
 std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes);
 
@@ -114,9 +123,9 @@ class BoxTree {
   explicit BoxTree(const std::vector<Box>& boxes);
 
   /// Returns the distance of a point from the nearest of the things that lie in the boxes, or
-  /// `enough` where it is no more. It takes less time the nearer the point is to the one before.
-  /// squared_distance_of: called with the place of a box in what was given, returns that of the
-  /// thing. Limit: some boxes.
+  /// `enough` if it is nearer than that. It takes less time the nearer the point is to the one
+  /// before. squared_distance_of: called with the place of a box in what was given, returns that of
+  /// the thing. Limit: some boxes.
   template <class SquaredDistance>
   double distance(const Point& point, double enough, SquaredDistance squared_distance_of) {
     struct Waiting {
@@ -181,14 +190,14 @@ class BoxTree {
   /// Where a box was when the tree was built: near boxes have near numbers, from 0 on.
   std::uint32_t order_of(std::uint32_t place) const { return slots_[place]; }
 
-  /// Leaves out of near pairs those without any of the boxes for whose places this returns true.
+  /// Restricts near pairs to those with a box for which is_wanted(place) is true.
   template <class IsWanted>
   void keep_pairs_with(IsWanted is_wanted) {
     std::fill(wanted_.begin(), wanted_.end(), std::uint8_t{0});
     for (std::size_t slot = 0; slot < places_.size(); ++slot)
       if (is_wanted(places_[slot])) wanted_[slot / 4] |= static_cast<std::uint8_t>(1U << slot % 4);
   }
-  /// The search for near pairs is divided into so many parts.
+  /// The number of parts of the search for near pairs.
   std::size_t part_count() const { return (wanted_.size() + leaves_a_part - 1) / leaves_a_part; }
   /// Calls with the places of two boxes that overlap. All parts: once for any two.
   template <class Call>
@@ -270,6 +279,7 @@ class BoxTree {
 
   std::vector<std::uint32_t> places_;  // along a curve through space
   std::vector<std::uint32_t> slots_;   // of each place, where it is in places_
+
   // Node i has the boxes around its children, 4 i + 1 to 4 i + 4; the leaves have what was given.
   std::vector<FourBoxes> boxes_;
   std::size_t leaves_ = 0;            // where they begin

@@ -7,7 +7,7 @@
 namespace discmc::meshing {
 namespace {
 
-// A triangle, in the mean.
+// Per triangle on average, so that it ends with hostile input, too.
 constexpr std::size_t max_flips = 32;
 
 std::uint32_t next(std::uint32_t side) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 #include "intersections.hpp"
@@ -39,7 +38,7 @@ class InterpolatedMesh {
   }
 
  private:
-  // Those that are new.
+  // Places the vertices that were added since the last call.
   void place_vertices() {
     const std::vector<Vertex>& positions = vertices_.positions();
     for (std::size_t i = mesh_.lattice.size(); i < positions.size(); ++i) {
@@ -61,12 +60,11 @@ class InterpolatedMesh {
     }
   }
 
-  // If two sheets are near to each other, triangles that leave out crossings may intersect. Such
-  // triangles get their crossings, until only the interpolated surface itself intersects. Two that
-  // leave out none have none to get.
+  // Triangles that leave out crossings may intersect where two sheets are near to each other. They
+  // get their crossings, until no such pair is left. Pairs that leave out none belong to the
+  // interpolated surface itself, and stay.
   void separate_faces() {
-    FaceList faces(mesh_.face_count());
-    std::iota(faces.begin(), faces.end(), 0U);
+    FaceList faces = all_faces(mesh_);
     for (;;) {
       const std::size_t vertices = vertices_.positions().size();
       std::vector<bool> is_outdated(surface_.polygons.size());

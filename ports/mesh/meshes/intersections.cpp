@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 #include "box_tree.hpp"
 #include "jobs/ordered_pipeline.hpp"
@@ -26,13 +27,17 @@ bool intersect(const FaceMesh& mesh, const FacePair& faces) {
 }
 
 std::vector<Box> boxes_of(const FaceMesh& mesh, const FaceList& faces) {
-  std::vector<Box> boxes;
-  boxes.reserve(faces.size());
-  for (const std::uint32_t face : faces) boxes.emplace_back(corners_of(mesh, face));
-  return boxes;
+  return meshing::boxes_of(faces.size(),
+                           [&](std::uint32_t i) { return corners_of(mesh, faces[i]); });
 }
 
 }  // namespace
+
+FaceList all_faces(const FaceMesh& mesh) {
+  FaceList faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return faces;
+}
 
 std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces,
                                          const std::function<void()>& check, unsigned jobs,

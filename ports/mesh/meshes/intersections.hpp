@@ -15,6 +15,8 @@ namespace discmc::meshing {
 using FaceList = std::vector<std::uint32_t>;
 using FacePair = std::array<std::uint32_t, 2>;
 
+FaceList all_faces(const FaceMesh& mesh);
+
 /// Returns any two of these faces that have more points in common than the vertices and edges that
 /// they share. Two that lie in one plane are not looked at. Limit: triangles.
 /// check, jobs: as MeshingOptions. is_wanted: one per face of the mesh, or none; then each pair has

@@ -39,8 +39,8 @@ struct MeshingOptions {
   unsigned jobs = 1;
   /// Called now and then, by one thread at a time, if it is given. What it throws ends the call.
   std::function<void()> check{};
-  /// Whether faces of an interpolated mesh are split if they go through each other. A volume is
-  /// measured without.
+  /// Whether faces of an interpolated mesh are split if they go through each other: false where
+  /// only the volume is measured.
   bool separates = true;
 };
 

@@ -170,8 +170,7 @@ bool Triangulator::collect_leaving(Rank point, std::size_t begin, std::size_t en
   return true;
 }
 
-// Edges that have come to lie side by side must not cross: of two that do, and leftmost, none is
-// missed.
+// New neighbours must not cross. Checking each new pair finds the leftmost crossing of all.
 bool Triangulator::are_in_order(std::size_t lower) const {
   if (lower + 1 == active_.size()) return true;
   const Edge &a = active_[lower].edge, &b = active_[lower + 1].edge;

@@ -52,8 +52,8 @@ VertexNumbers::Block& VertexNumbers::block_at(const Vertex& origin) {
 }
 
 void VertexNumbers::grow() {
-  constexpr std::size_t least = 64;
-  slots_.assign(std::max(least, 2 * slots_.size()), none);
+  constexpr std::size_t min_slots = 64;
+  slots_.assign(std::max(min_slots, 2 * slots_.size()), none);
   for (std::size_t place = 0; place < blocks_.size(); ++place)
     slots_[slot_of(blocks_[place].origin)] = static_cast<std::uint32_t>(place);
 }

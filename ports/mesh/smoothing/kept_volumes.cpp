@@ -391,8 +391,9 @@ class VolumeKeeper {
     return walls;
   }
 
-  // That of an edge: a face of a voxel, times the cosine between the edge and the normal. The slope
-  // of the distance is that cosine. Between rivals it is twice as steep, and moves half as far.
+  // The area of wall that an edge represents: a face of a voxel, times the cosine between the edge
+  // and the normal. The slope of the distance is that cosine. Between rivals it is twice as steep,
+  // and moves half as far.
   double area_mm2(const Piece& piece, const Piece::Edge& edge) const {
     const bool has_rival = edge.rival != no_piece;
     const auto shift =

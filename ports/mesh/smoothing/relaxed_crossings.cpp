@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -91,7 +90,8 @@ class Relaxer {
     nodes_.push_back(node);
   }
 
-  // What is on is separate in a face, so the surface goes around the voxel that is on, if it can.
+  // In an ambiguous face the voxels that are on are separate. So the surface goes around the one at
+  // the edge, if it can.
   Neighbour neighbour(Place place, const Vertex& middle, const Vertex& step) const {
     const Vertex half = step_along(place.axis);
     const bool falls = crossings_.falls(place);
@@ -157,10 +157,8 @@ void separate(Crossings& crossings, const Surface& surface, const Relaxation& re
   for (unsigned round = 0; is_moved; ++round) {
     const FaceMesh mesh = build_mesh(
         surface, {true, Faces::triangles, &crossings, relaxation.tolerance, 1, relaxation.check});
-    FaceList faces(mesh.face_count());
-    std::iota(faces.begin(), faces.end(), 0U);
     is_moved = false;
-    for (const auto& pair : intersecting_faces(mesh, faces, relaxation.check))
+    for (const auto& pair : intersecting_faces(mesh, all_faces(mesh), relaxation.check))
       for (const std::uint32_t face : pair)
         for (std::size_t i = 0; i < 3; ++i)
           crossings.for_each_near(mesh.lattice[mesh.face(face)[i]], [&](Place place) {

@@ -17,7 +17,7 @@ namespace {
 using Voxel = std::array<std::uint32_t, 3>;
 
 // The voxels of a label lie from first to before end.
-struct Box {
+struct LabelBox {
   Voxel first{~0U, ~0U, ~0U}, end{};
   std::uint64_t voxels = 0;
 
@@ -30,9 +30,9 @@ struct Box {
   }
 };
 
-// So that all voxels at its faces are too far from the label for its surface.
-Box widened(const Box& box, const Voxel& dims, const Voxel& by) {
-  Box wide = box;
+// Widens the box until the surface of the label cannot reach its faces.
+LabelBox widened(const LabelBox& box, const Voxel& dims, const Voxel& by) {
+  LabelBox wide = box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     wide.first[axis] -= std::min(box.first[axis], by[axis]);
     wide.end[axis] += std::min(dims[axis] - box.end[axis], by[axis]);
@@ -45,7 +45,7 @@ template <class Sample>
 class LabelMask final : public SliceReader {
  public:
   LabelMask(const SampleGrid& whole, const std::vector<Sample>& samples, Sample label,
-            const Box& box)
+            const LabelBox& box)
       : whole_dims_(whole.dims), samples_(samples), label_(label), box_(box) {
     for (std::size_t axis = 0; axis < 3; ++axis) info_.dims[axis] = box.end[axis] - box.first[axis];
     info_.spacing_mm = whole.spacing_mm;
@@ -66,7 +66,7 @@ class LabelMask final : public SliceReader {
   Voxel whole_dims_;
   const std::vector<Sample>& samples_;
   Sample label_;
-  Box box_;
+  LabelBox box_;
   SampleGrid info_;
   std::uint32_t slice_ = 0;
 };
@@ -128,8 +128,8 @@ class LabelSmoother {
                       [z](const auto& each) { return each.second.end[2] + 2 > z; }));
   }
 
-  SmoothedLabel smoothed(Sample label, const Box& box) const {
-    const Box wide = widened(box, info_.dims, SmoothedVolume::reach(info_, deviation_mm_));
+  SmoothedLabel smoothed(Sample label, const LabelBox& box) const {
+    const LabelBox wide = widened(box, info_.dims, SmoothedVolume::reach(info_, deviation_mm_));
     LabelMask<Sample> mask(info_, samples_, label, wide);
     SmoothedVolume smooth(mask, {1}, nullptr, deviation_mm_);
     JoinedSurface joined;
@@ -169,7 +169,7 @@ class LabelSmoother {
   const LabelOptions& options_;
   double deviation_mm_, tolerance_;
   std::vector<Sample> samples_;
-  std::map<Sample, Box> boxes_;
+  std::map<Sample, LabelBox> boxes_;
   ValueScatter scatter_;
 };
 

@@ -68,7 +68,7 @@ std::vector<LineSide> sorted_sides(const Surface& surface) {
   return sides;
 }
 
-// Those whose sides have a link in common.
+// Joins polygons whose sides share a link.
 void join_neighbours(const std::vector<LineSide>& sides, Sets& sets) {
   const LineSide* farthest = nullptr;  // of those on the line so far
   for (const LineSide& side : sides) {

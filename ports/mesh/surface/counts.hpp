@@ -13,16 +13,16 @@ struct Counts {
   std::uint64_t holes = 0;
   std::uint64_t links = 0;
   std::uint64_t corners = 0;
-  std::uint64_t three = 0;    ///< regions with three corners in all
-  std::uint64_t four = 0;     ///< with four
-  std::uint64_t more = 0;     ///< with more
+  std::uint64_t of_three_corners = 0;  ///< regions
+  std::uint64_t of_four_corners = 0;
+  std::uint64_t of_more_corners = 0;
   std::uint64_t normals = 0;  ///< corners that have one
 };
 
 inline Counts& operator+=(Counts& sum, const Counts& more) {
-  for (auto count :
-       {&Counts::regions, &Counts::rings, &Counts::holes, &Counts::links, &Counts::corners,
-        &Counts::three, &Counts::four, &Counts::more, &Counts::normals})
+  for (auto count : {&Counts::regions, &Counts::rings, &Counts::holes, &Counts::links,
+                     &Counts::corners, &Counts::of_three_corners, &Counts::of_four_corners,
+                     &Counts::of_more_corners, &Counts::normals})
     sum.*count += more.*count;
   return sum;
 }

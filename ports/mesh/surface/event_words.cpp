@@ -13,7 +13,7 @@ bool has_vertex(Event::Kind kind) {
 
 std::uint32_t word_of(const Event& event) {
   std::uint32_t high = event.incidence, low = event.incoming_direction;
-  if (event.kind == Event::Kind::ring) low = event.hole;
+  if (event.kind == Event::Kind::ring) low = event.is_hole;
   if (event.kind == Event::Kind::run) {
     high = event.normal.u;
     low = event.normal.v;
@@ -32,7 +32,7 @@ Event event_of(std::uint32_t word) {
   }
   event.incidence = high;
   event.incoming_direction = low;
-  event.hole = low != 0;
+  event.is_hole = low != 0;
   return event;
 }
 

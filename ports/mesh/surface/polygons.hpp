@@ -75,9 +75,9 @@ struct Polygon {
 
 /// Throws std::length_error where corners are more than 32 bits count.
 inline void require_numbers_for(std::size_t corners) {
-  constexpr std::size_t most = 0xFFFFFFFFu;
-  if (corners > most)
-    throw std::length_error("the surface has more than " + std::to_string(most) +
+  constexpr std::size_t max_corners = 0xFFFFFFFFu;
+  if (corners > max_corners)
+    throw std::length_error("the surface has more than " + std::to_string(max_corners) +
                             " corners, the limit of a mesh; extract a part, or shrink the volume");
 }
 

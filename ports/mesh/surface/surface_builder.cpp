@@ -358,7 +358,9 @@ void SurfaceBuilder::count_region() {
   counts_.rings += simple_rings_.size();
   counts_.holes += simple_rings_.size() - 1;
   counts_.corners += corners_.size();
-  ++(corners_.size() == 3 ? counts_.three : corners_.size() == 4 ? counts_.four : counts_.more);
+  ++(corners_.size() == 3   ? counts_.of_three_corners
+     : corners_.size() == 4 ? counts_.of_four_corners
+                            : counts_.of_more_corners);
   for (const Span& span : simple_rings_) {
     const Ring ring = simple_ring(span);
     for (std::size_t i = 0; i < ring.size(); ++i)

@@ -112,7 +112,7 @@ def test_threads_do_not_change_the_mesh(ball):
     assert mesh.volume == pytest.approx(others.volume)
 
 
-def test_decimation_and_smoothing(ball):
+def test_decimated_and_smoothed_meshes_stay_closed(ball):
     mask = ball >= 100
     smooth = discmc.extract(mask, 1, smoothing=1)
     assert smooth.area == pytest.approx(4 * np.pi * 8.2**2, rel=0.03)
@@ -237,7 +237,7 @@ def test_progress_is_reported_and_can_cancel(ball):
         ("head.nrrd", TypeError, r"path 'head.nrrd'; give an array, as discmc.read\(path\)"),
         (np.ma.masked_less(np.arange(8).reshape(2, 2, 2), 3), TypeError, r"array.filled\(value\)"),
     ])
-def test_refused_arrays(array, error, remedy):
+def test_wrong_arrays_are_refused(array, error, remedy):
     with pytest.raises(error, match=remedy):
         discmc.extract(array, 1)
 
@@ -260,7 +260,7 @@ def test_refused_arrays(array, error, remedy):
         ({"polygons": True, "interpolate": True}, "leave out"),
         ({"normals": "gradient", "upper": 300}, "surface"),
     ])
-def test_refused_options(ball, options, remedy):
+def test_wrong_options_are_refused(ball, options, remedy):
     with pytest.raises(ValueError, match=remedy):
         discmc.extract(ball, 100, **options)
 
@@ -274,14 +274,14 @@ def test_refused_options(ball, options, remedy):
         ({"smoothing": None}, "smoothing is None; give a number"),
         ({"triangles": 1.5}, "triangles is 1.5; give a whole number"),
     ])
-def test_options_of_another_type(ball, options, remedy):
+def test_options_of_another_type_are_refused(ball, options, remedy):
     with pytest.raises(TypeError, match=remedy):
         discmc.extract(ball, **{"level": 100, **options})
     with pytest.raises(TypeError, match=remedy):
         discmc.extract(iter(ball), **{"level": 100, **options})
 
 
-def test_refused_slices(ball):
+def test_wrong_slices_are_refused(ball):
     with pytest.raises(ValueError, match="no slice; give at least one"):
         discmc.extract(iter(()), 100)
     with pytest.raises(ValueError, match="slice 1 has 3 x 4 samples, the first has 26 x 28"):
@@ -294,7 +294,7 @@ def test_refused_slices(ball):
         discmc.extract(iter(ball), 100, smoothing=1)
 
 
-def test_refused_labels(ball):
+def test_wrong_labels_are_refused(ball):
     with pytest.raises(ValueError, match="whole numbers; convert"):
         discmc.extract_labels(ball)
     labels = (ball > 100).astype(np.uint8)

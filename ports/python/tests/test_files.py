@@ -18,7 +18,7 @@ def stl_of(file):
     return triangles
 
 
-def test_stl(ball, tmp_path):
+def test_an_stl_has_the_triangles_of_the_mesh(ball, tmp_path):
     mesh = discmc.extract(ball, 100)
     mesh.write(tmp_path / "ball.stl")
     assert np.array_equal(stl_of(tmp_path / "ball.stl")["corners"], mesh.vertices[mesh.faces])
@@ -27,7 +27,7 @@ def test_stl(ball, tmp_path):
 
 @needs_files
 @pytest.mark.parametrize("extension", "ply obj glb 3mf vtp csv json".split())
-def test_formats_of_the_command(ball, tmp_path, extension):
+def test_a_mesh_is_written_in_each_format_of_the_command(ball, tmp_path, extension):
     file = tmp_path / f"ball.{extension}"
     mesh = discmc.extract(ball, 100, normals="surface")
     mesh.write(str(file))
@@ -37,7 +37,7 @@ def test_formats_of_the_command(ball, tmp_path, extension):
         assert measures["volume_mm3"] == pytest.approx(mesh.volume)
 
 
-def test_plain_writers(ball, tmp_path):
+def test_stl_ply_and_obj_are_written_without_the_command(ball, tmp_path):
     mesh = discmc.extract(ball, 100)
     _plain_files.write(tmp_path / "plain.stl", ".stl", mesh.vertices, mesh.faces)
     triangles = stl_of(tmp_path / "plain.stl")
@@ -91,7 +91,7 @@ def test_scaled_samples_become_values(ball, tmp_path):
 
 
 @needs_files
-def test_refused_files(tmp_path):
+def test_files_that_are_no_volumes_are_refused(tmp_path):
     with pytest.raises(Exception, match="absent.nii"):
         discmc.read(tmp_path / "absent.nii")
 
@@ -109,6 +109,6 @@ def test_other_libraries_get_the_mesh(ball):
 
 
 @needs_files
-def test_missing_file(tmp_path):
+def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(FileNotFoundError, match="there is no such file"):
         discmc.read(tmp_path / "nofile.nrrd")

@@ -41,7 +41,7 @@ def test_blocks_of_a_page_run_in_their_order(page, tmp_path, monkeypatch):
         exec(compile(block, page, "exec"), names)
 
 
-def test_receive(tmp_path):
+def test_the_receiver_of_the_guide_writes_the_scan(tmp_path):
     images = ball_of().clip(0, 255).astype(np.uint8)
     stream = b""
     for number in range(2):
@@ -73,7 +73,7 @@ def test_receive(tmp_path):
     assert {file.name for file in tmp_path.iterdir()} == {"scan0.stl", "scan1.stl"}
 
 
-def test_show(tmp_path):
+def test_the_picture_of_the_guide_is_written(tmp_path):
     pytest.importorskip("matplotlib")
     np.save(tmp_path / "ball.npy", ball_of())
     subprocess.run(

@@ -50,7 +50,7 @@ def test_without_tolerance_the_vertices_and_values_are_those_of_scikit_image():
     assert euler_characteristic(ours[1]) == euler_characteristic(theirs[1]) == 2
 
 
-def test_levels_of_scikit_image():
+def test_the_levels_are_those_of_scikit_image():
     other = pytest.importorskip("skimage.measure").marching_cubes
     volume = ball_of()
     assert discmc.marching_cubes(volume)[0].mean(0) == pytest.approx(other(volume)[0].mean(0), abs=0.3)
@@ -103,12 +103,12 @@ def test_extract_is_as_large_as_the_surface_of_vtk(seed):
         ({"step_size": 1.5}, "step_size is 1.5; give"),
         ({"spacing": (1, 2)}, "give three numbers"),
     ])
-def test_refused_options(ball, options, remedy):
+def test_wrong_options_are_refused(ball, options, remedy):
     with pytest.raises(ValueError, match=remedy):
         discmc.marching_cubes(ball, 100, **options)
 
 
-def test_no_degenerate_triangles_on_request(ball):
+def test_degenerate_triangles_are_left_out_on_request(ball):
     vertices, faces, *_ = discmc.marching_cubes(np.round(ball), 100, allow_degenerate=False)
     a, b, c = np.moveaxis(vertices[faces].astype(float), 1, 0)
     assert (np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0).all()

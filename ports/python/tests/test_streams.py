@@ -76,7 +76,7 @@ def test_rows_may_be_parts_and_may_be_missing(images):
         extractor.push(images[0])
 
 
-def test_refused_settings(images):
+def test_wrong_settings_are_refused(images):
     with pytest.raises(ValueError, match="1 to 32766"):
         discmc.Extractor(0, 5, 1, memory=1000)
     with pytest.raises(ValueError, match="index_bits is 8; expected 16 or 32"):
@@ -126,7 +126,7 @@ def test_fragments_are_joined(images):
     assert scan.mesh.volume == pytest.approx(discmc.extract(images.T, 100).volume)
 
 
-def test_the_mesh_so_far_and_what_is_missing(images):
+def test_a_decoder_gives_the_mesh_so_far_and_what_is_missing(images):
     stream = encoded(images)
     decoder = discmc.Decoder(polygons=True)
     assert decoder.header is None and len(decoder.mesh().faces) == 0

@@ -77,7 +77,7 @@ class Polygons {
         regions_.push_back({event.incidence, rings_.size()});
         break;
       case Event::Kind::ring:
-        rings_.push_back({event.hole, corners_.size()});
+        rings_.push_back({event.is_hole, corners_.size()});
         at_ = event.start;
         direction_ = none;
         break;

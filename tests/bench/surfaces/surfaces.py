@@ -134,9 +134,9 @@ def bench_samples(title, samples, spacing, level):
           '|---|--:|--:|--:|--:|--:|--:|--:|')
 
     def row(name, vertices, triangles, seconds, megabytes):
-        told, _, _ = usage_of([DISCMC, 'compare', 'mesh.ply', *volume], FOLDER)
-        told = next(line.split() for line in told.splitlines() if 'A to B, mm' in line)
-        print(f'| {name} | {len(triangles):,} | {told[4]} | {told[6]} | {thin(vertices, triangles):.1f} % '
+        output, _, _ = usage_of([DISCMC, 'compare', 'mesh.ply', *volume], FOLDER)
+        output = next(line.split() for line in output.splitlines() if 'A to B, mm' in line)
+        print(f'| {name} | {len(triangles):,} | {output[4]} | {output[6]} | {thin(vertices, triangles):.1f} % '
               f'| {wrong_edges(triangles):,} | {seconds:.1f} | {f"{megabytes:.0f}" if megabytes else ""} |', flush=True)
 
     fewer = None

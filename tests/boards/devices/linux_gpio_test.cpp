@@ -208,7 +208,7 @@ TEST_CASE("the row of a missed edge is skipped, and other rows keep their place"
   CHECK(!stage.recording.scan.is_whole());
   const Bytes& stream = stage.stream();
   CHECK(stream == expected_stream(plan, 997, missed));
-  CHECK(decode(stream).report.abandoned);
+  CHECK(decode(stream).report.is_abandoned);
 }
 
 TEST_CASE("more missed edges than remaining rows end the scan") {
@@ -252,7 +252,7 @@ TEST_CASE("an end-stop between slices completes the stream, and one within a sli
     CHECK(stream == expected_stream(plan, rows));
     const StreamReport report = decode(stream).report;
     CHECK(report.is_complete());
-    CHECK(report.abandoned == (rows == 41));
+    CHECK(report.is_abandoned == (rows == 41));
   }
 }
 

@@ -56,7 +56,7 @@ bool is_complete(const Bytes& stream) {
   return decoder.start(nowhere) == Status::ok &&
          decoder.push(stream.data(), stream.size()).status == Status::ok &&
          decoder.finish() == Status::ok && decoder.report().is_complete() &&
-         !decoder.report().abandoned && decoder.report().slices == scan::depth;
+         !decoder.report().is_abandoned && decoder.report().slices == scan::depth;
 }
 
 bool fails(const char* why) {

@@ -73,7 +73,7 @@ void print_summary(const Rows& rows, const Options& options, const Simulation& s
             << " before the last row was sent\n"
             << "stream     " << stream.bytes().size() << " bytes in " << report.packets
             << " packets, " << report.lost_packets << " lost; " << report.slices << " slices"
-            << (report.abandoned ? ", abandoned" : "") << '\n'
+            << (report.is_abandoned ? ", abandoned" : "") << '\n'
             << "time       " << milliseconds(simulation.duration())
             << " ms; the longest wait for the device " << milliseconds(scanner.longest_wait())
             << " ms\n";

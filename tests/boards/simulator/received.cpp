@@ -40,7 +40,7 @@ SinkResult ReceivedStream::accept(const Event& event) {
     final_slices_ = event.slice;
   if (event.kind == Event::Kind::skipped)
     skipped_[event.slice * header().height + event.row] =
-        event.repeated ? Substitute::previous_row : Substitute::off;
+        event.is_repeated ? Substitute::previous_row : Substitute::off;
   return SinkResult::accepted;
 }
 

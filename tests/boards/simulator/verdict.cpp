@@ -75,9 +75,9 @@ std::vector<std::string> mistakes(const Rows& rows, const Options& options,
     mistakes.push_back("the stream is not complete: " + std::to_string(report.lost_packets) +
                        " packets are lost, " + std::to_string(report.damaged_packets) +
                        " are damaged");
-  if (report.abandoned != is_broken_off)
-    mistakes.emplace_back(report.abandoned ? "the device abandoned a scan that had its end"
-                                           : "the device finished a scan that was broken off");
+  if (report.is_abandoned != is_broken_off)
+    mistakes.emplace_back(report.is_abandoned ? "the device abandoned a scan that had its end"
+                                              : "the device finished a scan that was broken off");
   check_skipped(options.scanner, end, last, mistakes);
 
   const auto reference = [&](const ReceivedStream& stream) {

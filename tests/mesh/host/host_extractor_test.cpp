@@ -212,20 +212,8 @@ struct EverySecond {
 
   SinkResult accept_region(const WholeRegion& region) {
     if (++offered % 2 == 0) return SinkResult::busy;
-    Event event{};
-    event.incidence = region.incidence();
-    event.start = region.start();
-    const auto write = [&](Event::Kind kind) {
-      event.kind = kind;
-      CHECK(log.accept(event) == SinkResult::accepted);
-    };
-    write(Event::Kind::region);
-    write(Event::Kind::ring);
-    for (uint32_t i = 0; i < region.corner_count(); ++i) {
-      event.run = region.run(i);
-      write(Event::Kind::run);
-    }
-    write(Event::Kind::region_end);
+    send_events(region,
+                [this](const Event& event) { return log.accept(event) == SinkResult::accepted; });
     return SinkResult::accepted;
   }
 };

@@ -65,7 +65,7 @@ test('a whole stream has no missing parts', async () => {
   }
 });
 
-test('where polygons are lost the lines are the sides that they had with those that are left', async () => {
+test('lost polygons are outlined by the sides that they shared with those that are left', async () => {
   const frames = framesOf();
   const whole = linksOf((await decoded(frames)).module).map(undirected);
   for (const lost of [2, frames.length >> 1]) {
@@ -75,11 +75,11 @@ test('where polygons are lost the lines are the sides that they had with those t
     const counts = new Map();
     for (const link of linksOf(module).map(undirected)) counts.set(link, (counts.get(link) ?? 0) + 1);
     const expected = [...counts].filter(([, count]) => count % 2 === 1).map(([link]) => link).sort();
-    const told = [];
+    const shown = [];
     for (let at = 0; at < lines.length; at += 6)
-      told.push(...unitsOf([...lines.subarray(at, at + 3)], [...lines.subarray(at + 3, at + 6)]));
+      shown.push(...unitsOf([...lines.subarray(at, at + 3)], [...lines.subarray(at + 3, at + 6)]));
     assert.ok(expected.length > 0 && expected.every((link) => whole.includes(link)));
-    assert.deepEqual(told.map(undirected).sort(), expected);
+    assert.deepEqual(shown.map(undirected).sort(), expected);
     const heights = [...lines].filter((_, i) => i % 3 === 2);
     assert.equal(slices[0][0], Math.max(0, Math.floor(Math.min(...heights) / 2)));
     assert.equal(slices.at(-1)[1], Math.min(35, Math.ceil(Math.max(...heights) / 2)));

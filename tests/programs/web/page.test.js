@@ -71,7 +71,7 @@ test('every format is known in a browser, too', async () => {
   await page.context().close();
 });
 
-test('a drag that is too fast for it ends at its last threshold', async () => {
+test('after a fast drag the last threshold is shown', async () => {
   const { page } = await openPage(browser);
   await openFiles(page, volume);
   for (let iso = 100; iso <= 500; iso += 4) await setThreshold(page, iso);
@@ -165,7 +165,7 @@ test('if a volume and a stream are opened at once, the last is shown and saved',
   await page.context().close();
 });
 
-test('a graphics card that forgets all shows the same once it is back', async () => {
+test('the view is the same after a lost WebGL context is restored', async () => {
   const { page, complaints } = await openPage(browser);
   await openFiles(page, volume);
   await page.check('#edges');
@@ -259,7 +259,7 @@ test('keys alone suffice: open, threshold, look around, measure, save', async ()
   await page.context().close();
 });
 
-test('axe finds nothing serious: empty, with a volume, in the dark, on a small screen', async () => {
+test('axe finds no serious violation: empty, with a volume, in the dark, on a small screen', async () => {
   for (const options of [{}, { colorScheme: 'dark' }, { viewport: { width: 390, height: 780 } }]) {
     const { page, complaints } = await openPage(browser, options);
     await checkAccess(page);

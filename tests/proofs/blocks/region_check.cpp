@@ -75,10 +75,10 @@ SinkResult RegionCheck::accept(const Event& event) {
 }
 
 void RegionCheck::begin_ring(const Event& event) {
-  require(event.hole == (rings_ > 0), "the outer ring is not the first, or not alone");
+  require(event.is_hole == (rings_ > 0), "the outer ring is not the first, or not alone");
   require(Lattice::contains(event.start), "a ring starts outside the block");
   ++rings_;
-  hole_ = event.hole;
+  hole_ = event.is_hole;
   start_ = at_ = Lattice::index(event.start);
   area_ = 0;
 }

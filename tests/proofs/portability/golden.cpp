@@ -100,7 +100,7 @@ class EventHash {
         add(static_cast<uint32_t>(event.start.x));
         add(static_cast<uint32_t>(event.start.y));
         add(static_cast<uint32_t>(event.start.z));
-        add(event.hole);
+        add(event.is_hole);
         break;
       case Event::Kind::run:
         add(event.run.code());
@@ -117,14 +117,14 @@ class EventHash {
       case Event::Kind::skipped:
         add(event.slice);
         add(event.row);
-        add(event.repeated);
+        add(event.is_repeated);
         break;
       case Event::Kind::layer:
         add(event.slice);
         break;
       case Event::Kind::finish:
         add(event.slice);
-        add(event.abandoned);
+        add(event.is_abandoned);
         for (const auto total : detail::wire::trailer_totals) add(event.statistics->*total);
         break;
       case Event::Kind::start:  // an extractor has less of the header than a decoder

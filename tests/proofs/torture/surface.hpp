@@ -96,7 +96,7 @@ class Surface {
     at_.z -= lift_;
     start_.z -= lift_;
     if (rings_++ == 0) region_.start = start_;
-    is_hole_ = event.hole;
+    is_hole_ = event.is_hole;
     ring_ = runs_ = 0;
   }
 

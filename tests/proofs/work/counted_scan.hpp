@@ -67,7 +67,7 @@ class CountedScan {
       // A long side is kept in pieces (detail::trace::is_full_side()).
       events += 1 + event.run.length() / 680;
       if (event.kind == Event::Kind::ring || event.kind == Event::Kind::fragment)
-        holes += is_in_hole = event.hole;
+        holes += is_in_hole = event.is_hole;
       if (event.kind == Event::Kind::run) hole_runs += is_in_hole;
       return SinkResult::accepted;
     }
@@ -119,7 +119,7 @@ class CountedScan {
     const uint64_t taken = blocks - before;
     require_ok(status);
     asked.delivered = counter_.events - events;
-    asked.is_short = room_.capacities.slots < extractor_.peaks().slots + plenty;
+    asked.is_short = room_.capacities.slots < extractor_.peaks().slots + min_spare;
     calls_.push_back({asked, taken});
   }
 
@@ -140,7 +140,8 @@ class CountedScan {
     return work;
   }
 
-  static constexpr uint32_t plenty = detail::trace::Fragments<uint32_t, NoNormal>::plenty;
+  static constexpr uint32_t min_spare =
+      detail::trace::Fragments<uint32_t, NoNormal>::min_spare_to_hold;
 
   const reference::BitVolume& volume_;
   Room room_;

@@ -33,9 +33,9 @@ inline RecordedEvent from_c(const discmc_event& event) {
   same.kind = static_cast<Event::Kind>(event.kind);
   same.incidence = event.incidence;
   same.incoming_direction = event.incoming_direction;
-  same.hole = event.hole != 0;
-  same.repeated = event.repeated != 0;
-  same.abandoned = event.abandoned != 0;
+  same.is_hole = event.is_hole != 0;
+  same.is_repeated = event.is_repeated != 0;
+  same.is_abandoned = event.is_abandoned != 0;
   same.normal = {event.normal[0], event.normal[1]};
   same.run = Run::from_code(event.run);
   same.slice = event.slice;

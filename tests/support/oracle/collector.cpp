@@ -111,14 +111,14 @@ void Collector::begin_region(const Event& event) {
 void Collector::begin_ring(const Event& event) {
   require(place_ == Place::region || place_ == Place::ring, "a ring outside a region");
   if (place_ == Place::ring) end_ring();
-  require(event.hole == !region_.rings.empty(), "the outer ring is not the first, or not alone");
+  require(event.is_hole == !region_.rings.empty(), "the outer ring is not the first, or not alone");
   require((event.start.x + event.start.y + event.start.z) % 2 != 0,
           "a ring starts off the lattice");
   const int32_t plane = dot_product(incidence_normal(region_.incidence), event.start);
   require(region_.rings.empty() || plane == plane_, "a ring on another plane than its region");
   plane_ = plane;
   start_ = event.start;
-  hole_ = event.hole;
+  hole_ = event.is_hole;
   runs_.clear();
   last_run_ = Run();
   place_ = Place::ring;
@@ -186,7 +186,7 @@ void Collector::add_skipped(const Event& event) {
   require(
       skipped_.empty() || skipped_.back().slice < event.slice || skipped_.back().row < event.row,
       "skipped rows out of order");
-  skipped_.push_back({event.slice, event.row, event.repeated});
+  skipped_.push_back({event.slice, event.row, event.is_repeated});
 }
 
 void Collector::add_layer(const Event& event) {
@@ -200,7 +200,7 @@ void Collector::finish(const Event& event) {
   require(event.slice == own_slices(), "finish counts other slices than were marked");
   require(event.statistics != nullptr, "finish without statistics");
   statistics_ = *event.statistics;
-  was_abandoned_ = event.abandoned;
+  was_abandoned_ = event.is_abandoned;
   require(statistics_.regions == regions_.size(), "statistics count other regions");
   require(statistics_.rings == rings_, "statistics count other rings");
   require(statistics_.links == links_, "statistics count other links");

@@ -27,7 +27,7 @@ struct LayerMark {
 
 struct SkippedRow {
   uint32_t slice, row;
-  bool repeated;
+  bool is_repeated;
 };
 
 /// A loose fragment.

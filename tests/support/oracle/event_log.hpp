@@ -47,7 +47,7 @@ void for_each_number(const Event& event, Add add) {
     case Event::Kind::region:
       return add_all(event.incidence);
     case Event::Kind::ring:
-      return add_all(event.start.x, event.start.y, event.start.z, event.hole);
+      return add_all(event.start.x, event.start.y, event.start.z, event.is_hole);
     case Event::Kind::run:
       // In one number, which without a normal is the run alone.
       return add_all(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
@@ -56,13 +56,13 @@ void for_each_number(const Event& event, Add add) {
       return add_all(event.incidence, event.incoming_direction, event.start.x, event.start.y,
                      event.start.z);
     case Event::Kind::skipped:
-      return add_all(event.slice, event.row, event.repeated);
+      return add_all(event.slice, event.row, event.is_repeated);
     case Event::Kind::fractions:
       return add_all(event.slice, event.row);
     case Event::Kind::layer:
       return add_all(event.slice);
     case Event::Kind::finish:
-      add_all(event.slice, event.abandoned);
+      add_all(event.slice, event.is_abandoned);
       for (const uint64_t count : counts(*event.statistics)) add(count);
       return;
     case Event::Kind::region_end:

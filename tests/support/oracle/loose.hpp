@@ -164,7 +164,7 @@ class Cutter {
         [&](Event& event) {
           event.kind = Event::Kind::ring;
           event.start = ring_of(name)[first];
-          event.hole = name.ring > 0;
+          event.is_hole = name.ring > 0;
         },
         name.region);
     add_runs(piece, name, first, ring_of(name).size());
@@ -296,7 +296,8 @@ class Delivered {
         region_ = {event.incidence, {}};
         return;
       case Event::Kind::ring:
-        require(is_in_region && event.hole == !region_.rings.empty(), "a ring in the wrong place");
+        require(is_in_region && event.is_hole == !region_.rings.empty(),
+                "a ring in the wrong place");
         end_ring();
         region_.rings.emplace_back();
         start_ = at_ = event.start;

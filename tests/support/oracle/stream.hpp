@@ -227,7 +227,7 @@ inline std::vector<Events> pieces_of(const Events& events) {
       place = is_in_ring ? Place::runs : Place::fragment_runs;
     } else if (recorded.is(Kind::ring)) {
       require(place == Place::region || place == Place::runs);
-      require(event.hole == (place == Place::runs));
+      require(event.is_hole == (place == Place::runs));
       require((event.start.x ^ event.start.y ^ event.start.z) & 1);
       place = Place::ring;
     } else if (recorded.is(Kind::region_end)) {

@@ -24,7 +24,7 @@ class Script {
   Script& ring(Vertex start, bool is_hole = false) {
     Event event = of(Event::Kind::ring);
     event.start = start;
-    event.hole = is_hole;
+    event.is_hole = is_hole;
     return add(event);
   }
   Script& run(Run run) {
@@ -55,7 +55,7 @@ class Script {
     Event event = of(Event::Kind::skipped);
     event.slice = slice;
     event.row = row;
-    event.repeated = repeated;
+    event.is_repeated = repeated;
     return add(event);
   }
   Script& layer(uint32_t slice) {

@@ -70,7 +70,7 @@ void check_info(const discmc_receiver_info& in_c, const StreamHeader& header,
   CHECK(in_c.has_header == report.has_header);
   CHECK(in_c.has_trailer == report.has_trailer);
   CHECK(in_c.holds_slices == report.holds_slices);
-  CHECK(in_c.abandoned == report.abandoned);
+  CHECK(in_c.is_abandoned == report.is_abandoned);
   CHECK(in_c.is_complete == report.is_complete());
   CHECK(in_c.is_unreadable == report.is_unreadable);
   CHECK(in_c.is_mixed == report.is_mixed);

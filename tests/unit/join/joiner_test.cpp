@@ -121,7 +121,7 @@ RecordedEvent finish_of(const Statistics& statistics, uint32_t slices, bool aban
   event.kind = Kind::finish;
   event.statistics = &statistics;
   event.slice = slices;
-  event.abandoned = abandoned;
+  event.is_abandoned = abandoned;
   return RecordedEvent(event);
 }
 

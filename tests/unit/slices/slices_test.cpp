@@ -29,7 +29,7 @@ void check_rows(const BitVolume& volume, const ReceivedRows& received) {
   CHECK(wrong == 0);
   CHECK(received.rows.back().is(Kind::finish));
   CHECK(received.rows.back().event.slice == volume.depth);
-  CHECK_FALSE(received.rows.back().event.abandoned);
+  CHECK_FALSE(received.rows.back().event.is_abandoned);
 }
 
 void check_round_trip(const BitVolume& volume, const SlicePlan& plan = {}) {
@@ -258,7 +258,7 @@ TEST_CASE("a skipped row is reported with its substitute") {
       if (row % 3 != 2) {
         before = Bytes(&volume.on[row * 33], &volume.on[row * 33] + 33);
       } else {
-        CHECK(got.event.repeated == (row % 2 != 0));
+        CHECK(got.event.is_repeated == (row % 2 != 0));
         if (row % 2 == 0) before = Bytes(33);
       }
       CHECK(got.bits == before);
@@ -277,11 +277,11 @@ TEST_CASE("an abandoned scan ends at its last row") {
   CHECK(device.encoder.push(volume.on.data(), 12).status == Status::finished);
   const ReceivedRows received = decode_slices(device.line.bytes, {12, 12, 3});
   CHECK(received.report.is_complete());
-  CHECK(received.report.abandoned);
+  CHECK(received.report.is_abandoned);
   CHECK(packet_of(frames_of(device.line.bytes).back()).payload[4] == 1);
   REQUIRE(received.rows.size() == 31);
   CHECK(received.rows.back().is(Kind::finish));
-  CHECK(received.rows.back().event.abandoned);
+  CHECK(received.rows.back().event.is_abandoned);
   CHECK(received.rows.back().event.slice == 3);
 }
 

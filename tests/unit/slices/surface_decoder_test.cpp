@@ -132,7 +132,7 @@ TEST_CASE("the surface is closed at the end of the scan, whatever the trailer co
       SurfaceDecoder decoder;
       const Events events = decoded(decoder, {memory.data(), memory.size()}, joined(frames));
       CHECK(pieces_of(events) == pieces_of(events_of(scanned)));
-      CHECK(events.back().event().abandoned == (is_abandoned != 0 || rows == 12));
+      CHECK(events.back().event().is_abandoned == (is_abandoned != 0 || rows == 12));
     }
 }
 
@@ -175,7 +175,7 @@ Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
       if (event.kind == RowEvent::Kind::row && event.channel == channel)
         reference::require_ok(extractor.push_bits(event.bits).status);
       if (event.kind == RowEvent::Kind::skipped && event.channel == channel)
-        skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
+        skip(1, event.is_repeated ? Substitute::previous_row : Substitute::off);
       if (event.kind == RowEvent::Kind::lost) skip(event.count, Substitute::off);
       if (event.kind == RowEvent::Kind::finish) reference::require_ok(extractor.finish());
       return SinkResult::accepted;

@@ -455,7 +455,7 @@ TEST_CASE("a stream with only a header is neither complete nor abandoned") {
   CHECK(report.has_header);
   CHECK(report.slices == 0);
   CHECK_FALSE(report.has_trailer);
-  CHECK_FALSE(report.abandoned);
+  CHECK_FALSE(report.is_abandoned);
   CHECK_FALSE(report.is_complete());
 }
 
@@ -684,7 +684,7 @@ TEST_CASE("a truncated stream delivers its whole pieces, and the report lacks th
       REQUIRE(cut.events == expected);
       CHECK(pieces_of(cut.events).size() == cut.report.regions + cut.report.fragments);
       CHECK_FALSE(cut.report.is_complete());
-      CHECK_FALSE(cut.report.abandoned);
+      CHECK_FALSE(cut.report.is_abandoned);
       CHECK(cut.report.slices == 0);
       CHECK(cut.report.damaged_packets == (count == from ? 0 : 1));
       CHECK(cut.report.packets == frame);

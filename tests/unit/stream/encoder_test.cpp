@@ -202,7 +202,7 @@ TEST_CASE("the trailer has an abandoned flag of 1 or 0") {
   for (const bool abandoned : {false, true}) {
     const RecordedEvent finish = Script().finish().events.front();
     Event event = finish.event();
-    event.abandoned = abandoned;
+    event.is_abandoned = abandoned;
     const std::vector<Packet> packets = packets_of(encode({RecordedEvent(event)}));
     CHECK(packets.back().payload[4] == (abandoned ? 1 : 0));
   }

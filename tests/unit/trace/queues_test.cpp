@@ -1,4 +1,4 @@
-// Ends come out of a queue as they went in, and those that were lost as lost, however many.
+// A queue keeps the order of ends and of lost ends, for any number of lost ends.
 #include <discmc/trace/queues.hpp>
 
 #include <discmc/trace/passes.hpp>
