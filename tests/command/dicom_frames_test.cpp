@@ -135,6 +135,17 @@ TEST_CASE_FIXTURE(Folder,
   CHECK(read_all(*open_volume(file)) == as_read(values));
 }
 
+TEST_CASE_FIXTURE(Folder, "samples of a byte are read from words of big-endian files") {
+  Dataset data = cone_beam();
+  std::vector<std::int64_t> values = volume_values();
+  for (std::int64_t& value : values) value = 100 + value % 100;
+  std::vector<std::int64_t> stored = values;
+  REQUIRE(stored.size() % 2 == 0);
+  for (std::size_t i = 0; i < stored.size(); i += 2) std::swap(stored[i], stored[i + 1]);
+  const auto file = write("v.dcm", data.samples(stored, 8, false, "OW").file(Order::big_endian));
+  CHECK(read_all(*open_volume(file)) == as_read(values));
+}
+
 TEST_CASE_FIXTURE(Folder, "the values of a parametric map are real-world values") {
   Dataset mapping;
   mapping.real(0x00409225, {0.25}).real(0x00409224, {-3});

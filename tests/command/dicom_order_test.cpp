@@ -234,13 +234,22 @@ TEST_CASE("slices without positions are sorted by their numbers on request") {
   const Slices slices([](Dataset& data, int) {
     data.drop(0x00200032).drop(0x00200037).text(0x00180050, "DS", "2.5");
   });
-  check_refused(slices.path(), "the 5 slices have no position", "--order instance");
+  check_refused(slices.path(), "the 5 slices have no place (ImagePositionPatient and",
+                "--order instance");
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK(!reader->info().placement);
   CHECK(noted(reader->info(), "in the order of their InstanceNumber; "));
   CHECK(noted(reader->info(), "which side is left, is unknown"));
+  CHECK(noted(reader->info(), "the slices are taken to be 2.5 mm apart, by SliceThickness"));
   CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("slices of MONOCHROME1 and MONOCHROME2 are refused together") {
+  const Slices slices([](Dataset& data, int z) {
+    data.text(0x00280004, "CS", z == 3 ? "MONOCHROME1" : "MONOCHROME2");
+  });
+  check_refused(slices.path(), "some slices are MONOCHROME1 and others MONOCHROME2");
 }
 
 TEST_CASE("numbers that are missing among slices in their order are missing slices") {

@@ -36,18 +36,25 @@ Dataset segment(std::uint64_t number, const std::string& name,
   return data;
 }
 
+struct SegmentSlices {
+  std::uint32_t distance = 0x00180088;  // the element that has it: SpacingBetweenSlices
+  double aside_mm = 0;                  // along x, from slice to slice
+};
+
 // A segmentation whose frames have only their place and their segment.
 Dataset segmentation(const std::string& type, const std::vector<Dataset>& segments,
-                     const std::vector<SegmentFrame>& frames) {
+                     const std::vector<SegmentFrame>& frames, const SegmentSlices& slices = {}) {
   Dataset measures, orientation, shared;
-  measures.text(0x00280030, "DS", "0.75\\0.5").text(0x00180088, "DS", "2.5");
+  measures.text(0x00280030, "DS", "0.75\\0.5").text(slices.distance, "DS", "2.5");
   orientation.text(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
   shared.sequence(0x00289110, {measures}).sequence(0x00209116, {orientation});
   std::vector<Dataset> groups;
   Voxels all;
   for (const SegmentFrame& frame : frames) {
     Dataset place, identity, group;
-    place.text(0x00200032, "DS", decimals(position(frame.z)));
+    std::vector<double> at = position(frame.z);
+    at[0] += slices.aside_mm * frame.z;
+    place.text(0x00200032, "DS", decimals(at));
     identity.whole(0x0062000b, {frame.segment});
     group.sequence(0x00209113, {place}).sequence(0x0062000a, {identity});
     groups.push_back(group);
@@ -104,6 +111,33 @@ TEST_CASE_FIXTURE(Folder, "slices that no segment has are empty") {
   check_places(reader->info(), {-10, -20, 102.5}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
   const Voxels none(voxels_of_slice, 0);
   CHECK(read_all(*reader) == slices_of({box(2, 3, 2, 3, 3), none, none, box(0, 1, 0, 1, 3)}));
+  CHECK(noted(reader->info(), "no two slices are the 2.5 mm of SpacingBetweenSlices apart"));
+}
+
+TEST_CASE_FIXTURE(Folder, "a SliceThickness that no two slices are apart is not their distance") {
+  constexpr std::uint32_t thickness = 0x00180050;
+  const auto file = write(
+      "v.dcm",
+      segmentation("BINARY", {segment(3, "Rib")},
+                   {{3, 0, box(0, 1, 0, 1)}, {3, 2, box(0, 1, 0, 1)}, {3, 4, box(2, 3, 2, 3)}},
+                   {thickness})
+          .file());
+  const auto reader = open_volume(file);
+  CHECK(reader->info().dims[2] == 3);
+  check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 5}}});
+  CHECK(noted(reader->info(), "the slices are 5 mm apart, not the 2.5 mm of SliceThickness"));
+}
+
+TEST_CASE_FIXTURE(Folder, "slices of segments that are shifted aside shear the volume") {
+  const auto file = write(
+      "v.dcm",
+      segmentation("BINARY", {segment(3, "Rib")},
+                   {{3, 0, box(0, 1, 0, 1)}, {3, 1, box(0, 1, 0, 1)}, {3, 3, box(2, 3, 2, 3)}},
+                   {0x00180088, 0.5})
+          .file());
+  const auto reader = open_volume(file);
+  check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0.5, 0, 2.5}}});
+  CHECK(noted(reader->info(), "each slice is shifted by 0.5 mm"));
 }
 
 TEST_CASE_FIXTURE(Folder, "frames of bits begin within a byte") {

@@ -407,6 +407,16 @@ TEST_CASE_FIXTURE(Folder,
   CHECK(pages_read(two, chosen(1, {})) == Pages{2, 3});
 }
 
+TEST_CASE_FIXTURE(Folder, "files of several slices each are one volume only by --axes") {
+  write("a/t1.tif", numbered(4, ome(image(four_slices))).bytes());
+  write("a/t2.tif", numbered(4, ome(image(four_slices))).bytes());
+  check_refused(path() / "a", "2 files, of which 't1.tif' alone has 4 slices",
+                "--axes zyx if their slices are those of one volume");
+  VolumeOptions options;
+  options.axes = "zyx";
+  CHECK(open_volume(path() / "a", options)->info().dims[2] == 8);
+}
+
 // ---- other tags ----
 
 TEST_CASE("smaller copies among the pages, and within them, are left out with a note") {

@@ -41,9 +41,9 @@ ReplayedInput::~ReplayedInput() {
 }
 
 ReplayedInput::int_type ReplayedInput::underflow() {
-  constexpr std::size_t most = 65536;
-  bytes_.resize(most);
-  const std::streamsize got = rest_->sgetn(bytes_.data(), most);
+  constexpr std::size_t max_bytes = 65536;
+  bytes_.resize(max_bytes);
+  const std::streamsize got = rest_->sgetn(bytes_.data(), max_bytes);
   setg(bytes_.data(), bytes_.data(), bytes_.data() + got);
   return got > 0 ? traits_type::to_int_type(bytes_[0]) : traits_type::eof();
 }

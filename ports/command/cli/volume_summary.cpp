@@ -97,9 +97,10 @@ void print_histogram(const VolumeStatistics& statistics, std::ostream& out) {
 
 // Labels of a segmentation, without its background.
 std::vector<std::string> labels(const VolumeStatistics& statistics) {
-  constexpr std::size_t most = 64;
+  constexpr std::size_t max_shown = 64;
   std::vector<std::string> labels;
-  if (!statistics.is_exact || statistics.infinite > 0 || statistics.counts.size() > most) return {};
+  if (!statistics.is_exact || statistics.infinite > 0 || statistics.counts.size() > max_shown)
+    return {};
   for (const ValueCount& each : statistics.counts) {
     const auto label = nearest_label(each.value);
     if (!label && !statistics.are_whole) return {};

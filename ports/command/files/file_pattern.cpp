@@ -11,13 +11,13 @@ namespace {
 
 // Cut, between two characters of UTF-8, so that a name of a file still holds it and what is around.
 std::string shortened(std::string name) {
-  constexpr std::size_t most = 100;  // of the 255 bytes that file systems give a name
-  if (name.size() <= most) return name;
+  constexpr std::size_t max_bytes = 100;  // of the 255 bytes that file systems give a name
+  if (name.size() <= max_bytes) return name;
   const auto continues = [&name](std::size_t at) {
     return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80;
   };
-  std::size_t end = most;
-  while (end > most - 4 && continues(end)) --end;
+  std::size_t end = max_bytes;
+  while (end > max_bytes - 4 && continues(end)) --end;
   return name.substr(0, end);
 }
 

@@ -12,8 +12,8 @@ namespace discmc::command {
 namespace {
 
 void require_fit(std::size_t vertices) {
-  constexpr std::size_t most = 0x7FFFFFFF;  // numbers have a sign, as in the files of others
-  if (vertices > most)
+  constexpr std::size_t max_number = 0x7FFFFFFF;  // numbers have a sign, as in the files of others
+  if (vertices > max_number)
     throw std::invalid_argument(
         "the mesh has too many vertices for PLY; write .vtp, or a part with --crop");
 }

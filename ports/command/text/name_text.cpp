@@ -31,10 +31,10 @@ std::size_t character_length(std::string_view text) {
     if ((next & 0xC0U) != 0x80) return 0;
     code = code << 6 | (next & 0x3FU);
   }
-  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::uint32_t min_code[] = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_surrogate = code >= 0xD800 && code < 0xE000;
   const bool is_none = (code & 0xFFFEU) == 0xFFFE;
-  return code < least[length] || code > 0x10FFFF || is_surrogate || is_none ? 0 : length;
+  return code < min_code[length] || code > 0x10FFFF || is_surrogate || is_none ? 0 : length;
 }
 
 // add: called with every character, and U+FFFD for bytes that are none.

@@ -9,8 +9,8 @@ namespace discmc::command {
 namespace {
 
 bool is_short_and_whole(double value) {
-  constexpr double most = 1e15;
-  return std::fabs(value) < most && value == std::floor(value);
+  constexpr double max_whole = 1e15;
+  return std::fabs(value) < max_whole && value == std::floor(value);
 }
 
 std::string in_digits(double value, int digits) {

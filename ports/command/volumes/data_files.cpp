@@ -51,8 +51,10 @@ DataFiles numbered(const std::filesystem::path& header, std::string_view field,
   const std::int64_t first = integer(header, field, parts[1]);
   const std::int64_t last = integer(header, field, parts[2]);
   const std::int64_t step = parts.size() > 3 ? integer(header, field, parts[3]) : 1;
-  constexpr std::int64_t most = std::int64_t{1} << 30;
-  const auto is_small = [](std::int64_t number) { return number >= -most && number <= most; };
+  constexpr std::int64_t max_number = std::int64_t{1} << 30;
+  const auto is_small = [](std::int64_t number) {
+    return number >= -max_number && number <= max_number;
+  };
   if (!is_small(first) || !is_small(last) || !is_small(step) || step == 0 ||
       (last - first) / step < 0)
     fail(header, std::string(field) + " is " + shown(text) + ", whose range is empty",

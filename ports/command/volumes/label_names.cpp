@@ -40,14 +40,14 @@ LabelNames::LabelNames(LabelTable table, std::vector<std::uint32_t> layers)
 }
 
 std::string LabelNames::list_of_names() const {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t max_shown = 12;
   if (table_.empty()) return "the labels have no names; give numbers, or --label-table FILE";
   std::string text = "there are ";
-  for (std::size_t i = 0; i < std::min(most, table_.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_shown, table_.size()); ++i)
     text += (i > 0 ? ", " : "") + shown(table_[i].name);
-  return table_.size() <= most ? text
-                               : text + " and " + std::to_string(table_.size() - most) +
-                                     " more; list all with discmc info";
+  return table_.size() <= max_shown ? text
+                                    : text + " and " + std::to_string(table_.size() - max_shown) +
+                                          " more; list all with discmc info";
 }
 
 std::optional<NamedLabels> LabelNames::by_number(std::string_view text) const {

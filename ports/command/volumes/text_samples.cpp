@@ -42,10 +42,10 @@ class TextSamples final : public PartwiseSource {
   bool next_part() override {
     if (!damage_.empty()) return false;
     while (is_between(peek_character())) ++text_begin_;
-    constexpr std::size_t longest = 400;  // the digits of the largest double
+    constexpr std::size_t max_characters = 400;  // the digits of the largest double
     word_.clear();
     for (char c = peek_character(); c != '<' && !is_between(c); c = peek_character()) {
-      if (word_.size() < longest) word_ += c;
+      if (word_.size() < max_characters) word_ += c;
       ++text_begin_;
     }
     if (word_.empty()) return false;

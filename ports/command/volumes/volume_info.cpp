@@ -12,12 +12,12 @@ constexpr std::int64_t max_slices = (std::int64_t{1} << 30) - 1;
 
 // " ('red', 'green', 'blue')", of the first names.
 std::string in_brackets(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 8;
+  constexpr std::size_t max_shown = 8;
   if (names.empty()) return {};
   std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+  for (std::size_t i = 0; i < names.size() && i < max_shown; ++i)
     text += (i == 0 ? " (" : ", ") + shown(names[i]);
-  return text + (names.size() > most ? ", ...)" : ")");
+  return text + (names.size() > max_shown ? ", ...)" : ")");
 }
 
 }  // namespace

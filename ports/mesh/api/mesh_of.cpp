@@ -20,10 +20,10 @@ namespace discmc {
 using namespace meshing;
 
 std::int64_t Extents::limited(std::int64_t voxels) {
-  constexpr std::int64_t most = (std::int64_t{1} << 30) - 1;
-  if (voxels < 1 || voxels > most)
+  constexpr std::int64_t max_voxels = (std::int64_t{1} << 30) - 1;
+  if (voxels < 1 || voxels > max_voxels)
     throw std::invalid_argument("an extent is " + std::to_string(voxels) + "; give 1 to " +
-                                std::to_string(most) + " voxels");
+                                std::to_string(max_voxels) + " voxels");
   return voxels;
 }
 

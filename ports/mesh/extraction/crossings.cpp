@@ -73,9 +73,9 @@ class Crossings::OfPolygons {
     const Vertex at = middle - crossings_.first_;
     const Vertex begin = {at.x >> 1, at.y >> 1, at.z >> 1};
     if (!crossings_.is_inside(begin) || !crossings_.is_inside(at - begin)) return;
-    constexpr std::size_t most = std::size_t{1} << 27;
-    if (found_.size() == most)
-      throw std::length_error("the surface crosses more than " + std::to_string(most) +
+    constexpr std::size_t max_crossings = std::size_t{1} << 27;
+    if (found_.size() == max_crossings)
+      throw std::length_error("the surface crosses more than " + std::to_string(max_crossings) +
                               " edges along an axis; extract a part, or shrink the volume");
     const Vertex normal = incidence_normal(polygon.incidence);
     const bool falls = component(normal, static_cast<int>(axis)) > 0;

@@ -14,14 +14,14 @@ double lowered_by_rounding(const SampleGrid& info, double iso) {
 }
 
 std::int32_t stored_threshold(const SampleGrid& info, double iso) {
-  constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
-  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-  if (!std::isfinite(iso)) return static_cast<std::int32_t>(iso < 0 ? least : most);
+  constexpr std::int64_t min_iso = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int64_t max_iso = std::numeric_limits<std::int32_t>::max();
+  if (!std::isfinite(iso)) return static_cast<std::int32_t>(iso < 0 ? min_iso : max_iso);
 
   const double reached = lowered_by_rounding(info, iso);
   // Bisection, since it is exact where a quotient would be rounded, and saturates by itself.
-  std::int64_t low = least;
-  std::int64_t high = most;
+  std::int64_t low = min_iso;
+  std::int64_t high = max_iso;
   while (low < high) {
     const std::int64_t middle = low + (high - low) / 2;
     if (info.slope * static_cast<double>(middle) + info.intercept >= reached)

@@ -71,13 +71,13 @@ void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {
 
 // The sink takes everything: there are lost rows to be skipped.
 Status StreamReader::go_on_skipping() {
-  constexpr std::uint64_t most = std::uint64_t{1} << 36;  // some seconds
+  constexpr std::uint64_t max_work = std::uint64_t{1} << 36;  // some seconds
   const std::uint64_t work_of_row = header().width + std::uint64_t{1000};
   for (;;) {
     skipped_ += SurfaceDecoder::max_skipped_rows * work_of_row;
-    if (skipped_ > most)
+    if (skipped_ > max_work)
       throw std::runtime_error("the stream claims that more than " +
-                               std::to_string(most / work_of_row) +
+                               std::to_string(max_work / work_of_row) +
                                " rows were lost, which no scanner does; check the file");
     const Status status = decoder_.push(nullptr, 0).status;
     if (status != Status::suspended) return status;

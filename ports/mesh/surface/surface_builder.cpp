@@ -107,10 +107,10 @@ SurfaceBuilder::Chain SurfaceBuilder::chain(std::size_t ring) const {
 
 // Whether a chain closes, and within the coordinates that a scan can have, which are of 32 bits.
 bool SurfaceBuilder::is_sound(const Chain& chain) const {
-  constexpr std::int64_t least = -1, most = (std::int64_t{1} << 31) - 3;
+  constexpr std::int64_t min_coordinate = -1, max_coordinate = (std::int64_t{1} << 31) - 3;
   std::int64_t x = chain.start.x, y = chain.start.y, z = chain.start.z;
   const auto is_inside = [&] {
-    return std::min({x, y, z}) >= least && std::max({x, y, z}) <= most;
+    return std::min({x, y, z}) >= min_coordinate && std::max({x, y, z}) <= max_coordinate;
   };
   bool is_always_inside = is_inside();
   for (const Run* run = chain.begin; run != chain.end; ++run) {

@@ -121,11 +121,11 @@ inline CLI::Validator count_of_bytes() {
 /// --memory: bytes, with K, M or G for powers of 1024.
 inline CLI::Option* add_memory_option(CLI::App& app, std::uint64_t& memory,
                                       const std::string& description) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 60;  // more than there is anywhere
+  constexpr std::uint64_t max_number = std::uint64_t{1} << 60;  // more than there is anywhere
   return app.add_option("--memory", memory, description)
       ->transform(CLI::AsSizeValue(false))
       ->transform(count_of_bytes())  // which comes before the other
-      ->check(CLI::Range(std::uint64_t{1}, most))
+      ->check(CLI::Range(std::uint64_t{1}, max_number))
       ->option_text("BYTES");
 }
 

@@ -48,8 +48,8 @@ std::unique_ptr<VolumeReader> component(std::unique_ptr<VolumeReader> all, Volum
 
 VolumeInfo of_all_components(const std::string& file, VolumeInfo info, std::uint64_t count,
                              const std::string& remedy) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-  if (count > most / info.dims[0])
+  constexpr std::uint64_t max_number = std::numeric_limits<std::uint32_t>::max();
+  if (count > max_number / info.dims[0])
     fail(file, std::to_string(count) + " samples per voxel make the rows too long", remedy);
   info.dims[0] *= static_cast<std::uint32_t>(count);
   info.channels = 1;

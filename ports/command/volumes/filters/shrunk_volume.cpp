@@ -47,7 +47,7 @@ template <class Sample, bool = std::is_floating_point_v<Sample>>
 class Mean {
  public:
   void add(Sample sample) {
-    const std::uint64_t above = static_cast<Unsigned>(static_cast<Unsigned>(sample) - least);
+    const std::uint64_t above = static_cast<Unsigned>(static_cast<Unsigned>(sample) - min_sample);
     high_ += above >> 32;
     low_ += above & 0xFFFFFFFF;
     ++count_;
@@ -55,12 +55,12 @@ class Mean {
   Sample value() const {
     const std::uint64_t rest = (high_ % count_) << 32;
     const std::uint64_t above = ((high_ / count_) << 32) + (rest + low_ + count_ / 2) / count_;
-    return static_cast<Sample>(above + least);
+    return static_cast<Sample>(above + min_sample);
   }
 
  private:
   using Unsigned = std::make_unsigned_t<Sample>;
-  static constexpr auto least = static_cast<Unsigned>(std::numeric_limits<Sample>::min());
+  static constexpr auto min_sample = static_cast<Unsigned>(std::numeric_limits<Sample>::min());
   std::uint64_t high_ = 0, low_ = 0, count_ = 0;
 };
 

@@ -22,8 +22,9 @@ std::string text_of(const std::vector<double>& numbers) {
 VtkExtent vtk_extent(const std::filesystem::path& file, std::string_view name,
                      const std::vector<double>& numbers) {
   const auto is_possible = [](double number) {
-    constexpr double most = 1e12;  // differences, and products with a spacing, are still exact
-    return std::fabs(number) <= most && number == std::floor(number);
+    constexpr double max_coordinate =
+        1e12;  // differences, and products with a spacing, are still exact
+    return std::fabs(number) <= max_coordinate && number == std::floor(number);
   };
   VtkExtent extent{};
   if (numbers.size() != extent.size() || !std::all_of(numbers.begin(), numbers.end(), is_possible))

@@ -11,9 +11,9 @@ namespace {
 
 // Whole, to be copied: without what is of no UID.
 std::string shown_uid(const std::string& uid) {
-  constexpr std::size_t most = 64;
+  constexpr std::size_t max_characters = 64;
   std::string text;
-  for (const char c : uid.substr(0, most))
+  for (const char c : uid.substr(0, max_characters))
     if ((c >= '0' && c <= '9') || c == '.') text += c;
   return text;
 }

@@ -18,8 +18,8 @@ constexpr std::uint32_t max_frames = 1U << 16;
 std::optional<Vector> direction(const std::array<double, 6>& orientation, std::size_t first) {
   Vector vector = {orientation[first], orientation[first + 1], orientation[first + 2]};
   const double size = length(vector);
-  constexpr double least = 1e-3;
-  if (!(size > least)) return std::nullopt;
+  constexpr double min_length = 1e-3;
+  if (!(size > min_length)) return std::nullopt;
   for (double& component : vector) component /= size;
   return vector;
 }

@@ -134,10 +134,10 @@ std::optional<double> csa_number(const CsaHeader& header, const std::string& nam
 }
 
 std::uint32_t count_of_slices(DcmItem& dataset, const CsaHeader& header) {
-  constexpr double most = 65536;
+  constexpr double max_slices = 65536;
   auto count = csa_number(header, "NumberOfImagesInMosaic");
   if (!count) count = real_of(dataset, private_key(dataset, 0x0019, "SIEMENS MR HEADER", 0x0a));
-  return count && *count >= 1 && *count <= most ? static_cast<std::uint32_t>(*count) : 0;
+  return count && *count >= 1 && *count <= max_slices ? static_cast<std::uint32_t>(*count) : 0;
 }
 
 bool is_called_mosaic(DcmItem& dataset) {
@@ -205,8 +205,8 @@ NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
   image.rows /= across;
   Vector step = normal_of(*first.place);
   const double along = dot(step, towards);
-  constexpr double least = 0.5;  // of the cosine: it is a normal
-  if (!(std::fabs(along) > least))
+  constexpr double min_cosine = 0.5;  // of the cosine: it is a normal
+  if (!(std::fabs(along) > min_cosine))
     return {called + " whose SliceNormalVector is not a normal", remedy};
   for (double& component : step) component *= std::copysign(first.slice_spacing_mm, along);
   frames = slices_of(first, image, slices, step);

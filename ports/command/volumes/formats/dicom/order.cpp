@@ -69,27 +69,18 @@ void order_without_positions(const Path& source, VolumeInfo& info, Frames& stack
                          [&](const DicomFrame& frame) { return frame.image != stack[0].image; })) {
     fail(source,
          "the " + std::to_string(stack.size()) +
-             " slices have no position (ImagePositionPatient), and so no order",
+             " slices have no place (ImagePositionPatient and ImageOrientationPatient), and so no "
+             "order",
          "order them with --order instance (InstanceNumber) or --order name");
   } else if (stack.size() > 1) {
-    note(info, "the frames have no positions, and are read in their order" + and_sides);
+    note(info,
+         "the frames have no place (ImagePositionPatient and ImageOrientationPatient), and are "
+         "read in their order" +
+             and_sides);
   }
 }
 
 // ---- the volume ----
-
-void require_one_spacing(const Path& source, const Frames& stack) {
-  constexpr double tolerance = 1e-4;
-  for (const DicomFrame& frame : stack)
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double first = stack[0].spacing_mm[i];
-      if (std::fabs(frame.spacing_mm[i] - first) > tolerance * std::fabs(first))
-        fail(source,
-             "voxels are " + short_number(first) + " mm apart in " + name_of(stack[0]) + " and " +
-                 short_number(frame.spacing_mm[i]) + " mm in " + name_of(frame),
-             "resample the slices to one voxel size");
-    }
-}
 
 void set_values(VolumeInfo& info, const Path& source, const Frames& stack) {
   // Throws where one is of no use.
@@ -110,6 +101,19 @@ void set_values(VolumeInfo& info, const Path& source, const Frames& stack) {
 }
 
 }  // namespace
+
+void require_one_spacing(const Path& source, const Frames& stack) {
+  constexpr double tolerance = 1e-4;
+  for (const DicomFrame& frame : stack)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double first = stack[0].spacing_mm[i];
+      if (std::fabs(frame.spacing_mm[i] - first) > tolerance * std::fabs(first))
+        fail(source,
+             "voxels are " + short_number(first) + " mm apart in " + name_of(stack[0]) + " and " +
+                 short_number(frame.spacing_mm[i]) + " mm in " + name_of(frame),
+             "resample the slices to one voxel size");
+    }
+}
 
 void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::optional<SliceLine>& line,
                     const VolumeOptions& options) {
@@ -153,6 +157,15 @@ void order_stack(const Path& source, Frames& stack, const SamePixels& same_pixel
   }
   require_one_spacing(source, stack);
   const DicomImage& image = *stack[0].image;
+  for (const DicomFrame& frame : stack)
+    if (frame.image->is_inverted != image.is_inverted)
+      fail(source,
+           "some slices are MONOCHROME1 and others MONOCHROME2: " + name_of(stack[0]) + " and " +
+               name_of(frame),
+           "give a pattern of those that are alike, or export the series again");
+  if (!line && stack.size() > 1 && stack[0].slice_spacing_mm != 0 && !options.spacing_mm)
+    note(info, "the slices are taken to be " + short_number(std::fabs(stack[0].slice_spacing_mm)) +
+                   " mm apart, by " + stack[0].slice_spacing_name);
   set_dims(info, source, {image.columns, image.rows, static_cast<std::int64_t>(stack.size())});
   set_values(info, source, stack);
   set_slice_line(info, stack[0], line, options);

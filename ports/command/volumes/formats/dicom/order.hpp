@@ -28,6 +28,9 @@ using SamePixels = std::function<bool(const DicomFrame&, const DicomFrame&)>;
 void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::optional<SliceLine>& line,
                     const VolumeOptions& options);
 
+/// Throws VolumeError unless the voxels of all frames are as far apart.
+void require_one_spacing(const std::filesystem::path& source, const std::vector<DicomFrame>& stack);
+
 /// Whether one slope and intercept is of all frames.
 bool have_one_scale(const std::vector<DicomFrame>& stack);
 
@@ -57,6 +60,11 @@ struct EvenSlices {
   /// The number of every slice, from 0; an omitted number is a missing slice.
   std::vector<std::uint64_t> numbers;
 };
+
+/// Returns the way to the next slice: along the normal, or aside, too, as with a tilted gantry;
+/// then it is noted. Throws VolumeError where the slices are not on one line.
+Vector slice_step(const std::filesystem::path& source, VolumeInfo& info,
+                  const std::vector<DicomFrame>& stack, const EvenSlices& slices);
 
 /// Returns even slices with a step, each not farther than `rounding` from where it should be;
 /// nothing where there are none. along: of every slice, growing. Limit: one slice or more.

@@ -67,6 +67,7 @@ void put_in_order(E_TransferSyntax syntax, DcmElement& element, std::size_t size
                   unsigned char* samples, std::size_t bytes) {
   if (!DcmXfer(syntax).isBigEndian() || gLocalByteOrder == EBO_BigEndian) return;
   const std::size_t unit = element.getVR() == EVR_OB ? 1 : 2;
+  if (size <= unit) return;
   for (std::size_t at = 0; at + size <= bytes; at += size)
     for (std::size_t low = 0, high = size - unit; low < high; low += unit, high -= unit)
       std::swap_ranges(samples + at + low, samples + at + low + unit, samples + at + high);

@@ -141,9 +141,11 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
   return *slices;
 }
 
-// The way to the next slice: along the normal, or aside, too, as with a tilted gantry.
-Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
-               const EvenSlices& slices) {
+}  // namespace
+
+Vector slice_step(const Path& source, VolumeInfo& info, const Frames& stack,
+                  const EvenSlices& slices) {
+  if (stack.size() == 1) return sum({}, slices.step, normal_of(*stack[0].place));
   const Vector& first = stack[0].place->position;
   const Vector normal = normal_of(*stack[0].place);
   const auto aside = [&](std::size_t i) {
@@ -190,8 +192,6 @@ Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
   return std::fabs(dot(way, normal) - slices.step) < same_mm ? way : sum(straight, 1, shift);
 }
 
-}  // namespace
-
 void fill_missing(const Path& source, VolumeInfo& info, Frames& stack,
                   const std::vector<std::uint64_t>& numbers, const std::vector<std::string>& places,
                   bool allow_gaps) {
@@ -227,7 +227,7 @@ SliceLine order_by_position(const Path& source, VolumeInfo& info, Frames& stack,
   }
   const EvenSlices slices = even_slices(source, info, stack, along);
   const SliceLine line = {sum(stack[0].place->position, slices.first - along[0], normal),
-                          step_of(source, info, stack, slices)};
+                          slice_step(source, info, stack, slices)};
   places.back() += ", and the others are " + short_number(slices.step) + " mm apart";
   fill_missing(source, info, stack, slices.numbers, places, allow_gaps);
   return line;

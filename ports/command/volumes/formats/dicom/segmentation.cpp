@@ -104,19 +104,42 @@ std::vector<double> places_along(const Frames& frames, const Vector& normal) {
   return places;
 }
 
+bool have_neighbours(const EvenSlices& slices) {
+  return std::adjacent_find(slices.numbers.begin(), slices.numbers.end(),
+                            [](std::uint64_t a, std::uint64_t b) { return b == a + 1; }) !=
+         slices.numbers.end();
+}
+
 // Slices without a segment may not be there at all, so the distances alone do not define the step.
-EvenSlices even_slices(const Path& source, const DicomFrame& first,
+EvenSlices even_slices(const Path& source, VolumeInfo& info, const DicomFrame& first,
                        const std::vector<double>& places) {
-  if (places.size() == 1) return {places[0], std::fabs(first.slice_spacing_mm), {0}};
+  const double declared = std::fabs(first.slice_spacing_mm);
+  if (places.size() == 1) return {places[0], declared, {0}};
+  const std::string name = declared > 0 ? first.slice_spacing_name : "";
+  const std::string by_name = short_number(declared) + " mm of " + name;
   double least = places[1] - places[0];
   for (std::size_t i = 1; i < places.size(); ++i)
     least = std::min(least, places[i] - places[i - 1]);
-  const double declared = std::fabs(first.slice_spacing_mm);
-  for (const double step : {declared, least}) {
-    constexpr double share = 0.02;  // of a step
-    const double rounding = std::max(half_a_decimal(places), share * step);
-    if (auto slices = slices_by_step(places, step, rounding)) return *slices;
-  }
+  constexpr double max_jitter = 0.1;  // of a step, as in images
+  for (const double share : {same_distance, max_jitter})
+    for (const double step : {declared, least, best_step(places)}) {
+      const double rounding = std::max(half_a_decimal(places), share * step);
+      const auto slices = slices_by_step(places, step, rounding);
+      if (!slices) continue;
+      const bool is_declared = std::fabs(step - declared) <= max_jitter * declared;
+      if (!have_neighbours(*slices)) {
+        if (name != "SpacingBetweenSlices") continue;
+        note(info,
+             "no two slices are the " + by_name + " apart: those between are taken to be empty");
+      } else if (declared > 0 && !is_declared) {
+        note(info, "the slices are " + short_number(step) + " mm apart, not the " + by_name);
+      }
+      const double off = farthest_off(places, *slices);
+      if (share > same_distance)
+        note(info,
+             "slices lie up to " + short_number(off) + " mm from their place at even distances");
+      return *slices;
+    }
   fail(source,
        "the slices of the segmentation are " + short_number(declared > 0 ? declared : least) +
            " mm apart, but not everywhere",
@@ -128,8 +151,8 @@ struct Grid {
   SliceLine line;
 };
 
-Grid grid_of(const Path& source, const Frames& frames) {
-  constexpr std::uint64_t most = 65536;
+Grid grid_of(const Path& source, VolumeInfo& info, const Frames& frames) {
+  constexpr std::uint64_t max_extent = 65536;
   const DicomFrame& first = frames[0];
   for (const DicomFrame& frame : frames)
     if (!frame.place || !have_one_direction(first, frame))
@@ -137,18 +160,24 @@ Grid grid_of(const Path& source, const Frames& frames) {
            "give the segmentation of a volume, not of a slide or a single picture");
   const Vector normal = normal_of(*first.place);
   const auto places = places_along(frames, normal);
-  const EvenSlices even = even_slices(source, first, places);
+  require_one_spacing(source, frames);
+  const EvenSlices even = even_slices(source, info, first, places);
   const std::uint64_t count = even.numbers.back() + 1;
-  if (count > most)
+  if (count > max_extent)
     fail(source, "a segmentation of " + std::to_string(count) + " slices, most of them empty",
          "export it again");
-  const double ahead = even.first - dot(first.place->position, normal);
-  Grid grid{Slices(count), {sum(first.place->position, ahead, normal), sum({}, even.step, normal)}};
+  Grid grid{Slices(count), {}};
+  Frames one_each(places.size(), first);
   for (const DicomFrame& frame : frames) {
     const double along = dot(frame.place->position, normal);
-    const auto place = std::upper_bound(places.begin(), places.end(), along) - 1;
-    grid.slices[even.numbers[static_cast<std::size_t>(place - places.begin())]].push_back(&frame);
+    const auto place = static_cast<std::size_t>(
+        std::upper_bound(places.begin(), places.end(), along) - 1 - places.begin());
+    grid.slices[even.numbers[place]].push_back(&frame);
+    one_each[place] = frame;
   }
+  const Vector& lowest = one_each[0].place->position;
+  grid.line = {sum(lowest, even.first - dot(lowest, normal), normal),
+               slice_step(source, info, one_each, even)};
   return grid;
 }
 
@@ -215,7 +244,7 @@ std::unique_ptr<VolumeReader> open_segmentation(const Path& source, const Frames
                                                 VolumeInfo info, const VolumeOptions& options) {
   Frames frames = given;
   const DicomSegments& segments = segments_in(frames);
-  Grid grid = grid_of(source, frames);
+  Grid grid = grid_of(source, info, frames);
   require_one_frame_a_segment(source, grid.slices);
   const Layers layers = layers_of(source, frames, grid.slices);
 

@@ -30,10 +30,10 @@ std::optional<Srgb> colour(DcmItem& segment) {
 }  // namespace
 
 Srgb srgb_of_cielab(const std::array<std::uint16_t, 3>& encoded) {
-  constexpr double most = 65535;
-  const double lightness = 100 * encoded[0] / most;
-  const double a = 255 * encoded[1] / most - 128;
-  const double b = 255 * encoded[2] / most - 128;
+  constexpr double max_component = 65535;
+  const double lightness = 100 * encoded[0] / max_component;
+  const double a = 255 * encoded[1] / max_component - 128;
+  const double b = 255 * encoded[2] / max_component - 128;
   const double root = (lightness + 16) / 116;
   // The white of sRGB is that of the illuminant D65.
   const double x = 0.95047 * share(root + a / 500);
@@ -74,11 +74,11 @@ std::uint32_t Overlaps::number_with(std::uint32_t before, std::uint32_t segment)
     neighbours_[other].insert(segment);
   }
   set.push_back(segment);
-  constexpr std::size_t most = 1U << 20;
+  constexpr std::size_t max_sets = 1U << 20;
   const auto next = static_cast<std::uint32_t>(sets_.size());
   const auto [entry, is_new] = numbers_.emplace(set, next);
   if (is_new) sets_.push_back(std::move(set));
-  if (sets_.size() > most) throw std::length_error("segments overlap in too many ways");
+  if (sets_.size() > max_sets) throw std::length_error("segments overlap in too many ways");
   return entry->second;
 }
 

@@ -106,9 +106,9 @@ using Siblings = std::vector<DicomStack*>;
 
 // The kinds of traits in which the stacks differ, those for people only if they suffice.
 std::vector<std::size_t> distinguishing(const Siblings& stacks) {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t max_listed = 3;
   std::vector<std::size_t> kinds;
-  for (std::size_t kind = 0; kind < trait_count() && kinds.size() < most; ++kind) {
+  for (std::size_t kind = 0; kind < trait_count() && kinds.size() < max_listed; ++kind) {
     if (!kinds.empty() && is_for_programs(kind)) continue;
     std::set<std::string> values;
     for (const DicomStack* stack : stacks) values.insert(common_trait(stack->frames, kind));

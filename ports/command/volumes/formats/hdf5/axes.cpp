@@ -20,9 +20,9 @@ struct Attribute {
            H5Aclose),
         type(H5Aget_type(id.id()), H5Tclose),
         space(H5Aget_space(id.id()), H5Sclose) {
-    constexpr hssize_t most = 4096;
+    constexpr hssize_t max_count = 4096;
     const hssize_t points = id ? H5Sget_simple_extent_npoints(space.id()) : 0;
-    if (points > 0 && points <= most) count = static_cast<std::size_t>(points);
+    if (points > 0 && points <= max_count) count = static_cast<std::size_t>(points);
   }
 };
 
@@ -50,12 +50,12 @@ std::vector<std::string> texts_of(const Hdf5Handle& object, const char* name) {
 }
 
 std::vector<double> coordinates_of(const Hdf5Handle& scale) {
-  constexpr hssize_t most = 1 << 20;
+  constexpr hssize_t max_count = 1 << 20;
   // NetCDF writes a scale for an axis without coordinates, too.
   if (text_of(scale, "NAME").rfind("This is a netCDF dimension but", 0) == 0) return {};
   const Hdf5Handle space(H5Dget_space(scale.id()), H5Sclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  if (H5Sget_simple_extent_ndims(space.id()) != 1 || count < 1 || count > most) return {};
+  if (H5Sget_simple_extent_ndims(space.id()) != 1 || count < 1 || count > max_count) return {};
   std::vector<double> read(static_cast<std::size_t>(count));
   if (H5Dread(scale.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0)
     return {};

@@ -50,8 +50,8 @@ NiftiHeader header_of_2(const std::filesystem::path& file, const HeaderBytes& by
 }
 
 std::int64_t whole_offset(const std::filesystem::path& file, float vox_offset) {
-  constexpr float most = 0x1p30F;
-  if (!(vox_offset >= 0 && vox_offset <= most) || std::floor(vox_offset) != vox_offset)
+  constexpr float max_number = 0x1p30F;
+  if (!(vox_offset >= 0 && vox_offset <= max_number) || std::floor(vox_offset) != vox_offset)
     fail(file, "vox_offset is " + std::to_string(vox_offset), "correct the header");
   return static_cast<std::int64_t>(vox_offset);
 }

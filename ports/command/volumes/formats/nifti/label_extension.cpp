@@ -53,7 +53,8 @@ void take_labels(std::string_view, VolumeInfo& info) {
 void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_endian,
                            VolumeInfo& info) {
   constexpr std::uint32_t head_bytes = 8;
-  constexpr std::uint32_t most = 1U << 24;  // of an extension: a name for each of 100,000 labels
+  constexpr std::uint32_t max_bytes = 1U
+                                      << 24;  // of an extension: a name for each of 100,000 labels
   std::array<char, 4> has_extensions{};
   if (stream.position() + has_extensions.size() > end ||
       stream.read(has_extensions.data(), has_extensions.size()) < has_extensions.size() ||
@@ -64,7 +65,8 @@ void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_en
     if (stream.read(head.data(), head.size()) < head.size()) return;
     const std::uint64_t size = whole_of(head.data(), 4, is_big_endian);
     const std::uint64_t code = whole_of(head.data() + 4, 4, is_big_endian);
-    if (size < head_bytes || size > most || stream.position() + size - head_bytes > end) return;
+    if (size < head_bytes || size > max_bytes || stream.position() + size - head_bytes > end)
+      return;
     std::string content(stream.peek(size - head_bytes));
     if (content.size() < size - head_bytes) return;
     stream.skip(content.size());

@@ -19,9 +19,9 @@ constexpr const char* remedy = "copy or export the file again";
 class BmpHeader {
  public:
   BmpHeader(const std::filesystem::path& file, std::istream& in) : file_(file) {
-    constexpr std::size_t longest = 138;  // of version 5
-    bytes_.resize(longest);
-    in.read(bytes_.data(), static_cast<std::streamsize>(longest));
+    constexpr std::size_t max_bytes = 138;  // of version 5
+    bytes_.resize(max_bytes);
+    in.read(bytes_.data(), static_cast<std::streamsize>(max_bytes));
     bytes_.resize(static_cast<std::size_t>(in.gcount()));
     in.clear();
   }

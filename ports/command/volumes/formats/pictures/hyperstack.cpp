@@ -8,10 +8,10 @@
 namespace discmc::command {
 namespace {
 
-constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t max_number = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b) {
-  return a != 0 && b > most / a ? most : a * b;
+  return a != 0 && b > max_number / a ? max_number : a * b;
 }
 
 PlaneAxis* axis_called(Hyperstack& stack, char letter) {

@@ -144,6 +144,11 @@ class StackBuilder {
     const Hyperstack& stack = *chosen.stack;
     const bool is_whole = files.size() > 1 && is_set(source_, file, stack, files);
     const bool is_first = stack_.pages.empty();
+    if (files.size() > 1 && !is_whole && stack.slices.size > 1 && options_.axes.empty())
+      fail(source_,
+           std::to_string(files.size()) + " files, of which " + shown(file.filename().string()) +
+               " alone has " + std::to_string(stack.slices.size) + " slices",
+           "name one file, or give --axes zyx if their slices are those of one volume");
     if (!is_first) Alike(stack_, options_).require(stack, file);
     add_pages(file, opened, stack, chosen.frame);
     if (is_first) {

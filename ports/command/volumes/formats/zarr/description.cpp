@@ -20,10 +20,11 @@ constexpr const char* rewrite =
 
 PerAxis sizes_of_chunk(const Path& file, const Json& sizes, std::size_t axes) {
   const auto numbers = integers_of(file, "the sizes of chunks", sizes);
-  constexpr std::int64_t most = std::int64_t{1} << 31;
-  const bool is_usable = numbers.size() == axes &&
-                         std::all_of(numbers.begin(), numbers.end(),
-                                     [](std::int64_t size) { return size >= 1 && size <= most; });
+  constexpr std::int64_t max_size = std::int64_t{1} << 31;
+  const bool is_usable =
+      numbers.size() == axes && std::all_of(numbers.begin(), numbers.end(), [](std::int64_t size) {
+        return size >= 1 && size <= max_size;
+      });
   if (!is_usable)
     fail(file, "the sizes of chunks do not fit the axes of the array", "write it again");
   return {numbers.begin(), numbers.end()};

@@ -182,8 +182,8 @@ class Images {
     stack.channels.size = channels(pixels, stack.channel_names);
     stack.frames.size = xml_.count(pixels, "SizeT", 0);
     set_order(stack, order_of(xml_, pixels));
-    constexpr std::uint64_t most = std::uint64_t{1} << 32;
-    if (planes(stack) == 0 || planes(stack) > most)
+    constexpr std::uint64_t max_planes = std::uint64_t{1} << 32;
+    if (planes(stack) == 0 || planes(stack) > max_planes)
       fail(xml_.file(),
            "the OME-XML describes an image of " + std::to_string(planes(stack)) + " planes",
            "export the file again");
