@@ -245,6 +245,14 @@ TEST_CASE("slices without positions are sorted by their numbers on request") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
+TEST_CASE("slices that all have one position are read in an order on request") {
+  const Slices slices([](Dataset& data, int) { put_at(data, {0, 0, 0}); });
+  check_refused(slices.path(), "or read them as slices with --order instance");
+  const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
+  CHECK(read_all(*reader) == as_read(volume_values()));
+  CHECK(noted(reader->info(), "several slices have one position"));
+}
+
 TEST_CASE("slices of MONOCHROME1 and MONOCHROME2 are refused together") {
   const Slices slices([](Dataset& data, int z) {
     data.text(0x00280004, "CS", z == 3 ? "MONOCHROME1" : "MONOCHROME2");

@@ -188,6 +188,15 @@ TEST_CASE("instance numbers determine the order if nothing else does") {
   volumes.check_all(3);
 }
 
+TEST_CASE("types of images separate volumes from their first value on, if nothing else does") {
+  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+    data.text(0x00080008, "CS", number == 0 ? "DERIVED\\SECONDARY" : "ORIGINAL\\PRIMARY");
+    data.text(instance_number, "IS", std::to_string(z + 1));
+  });
+  check_refused(volumes.path(), "image type 'DERIVED\\SECONDARY'");
+  volumes.check_all(2);
+}
+
 TEST_CASE("attributes that vary between slices do not separate volumes") {
   // Seven volumes of five slices: the values are fewer than the volumes.
   const Volumes volumes(7, [](Dataset& data, int number, int z) {
@@ -236,8 +245,9 @@ TEST_CASE("copies of slices do not count as another time") {
 
 // ---- files of many frames ----
 
-// Two times of all slices, side by side, in one file.
-Dataset enhanced() {
+// Two times of all slices, side by side, in one file. has_times: by TemporalPositionIndex, else by
+// DimensionIndexValues alone.
+Dataset enhanced(bool has_times = true) {
   std::vector<Dataset> groups;
   std::vector<std::int64_t> samples;
   for (int z = 0; z < depth; ++z)
@@ -245,8 +255,13 @@ Dataset enhanced() {
       Dataset frame, place, orientation, content;
       place.text(0x00200032, "DS", decimals(position(z)));
       orientation.text(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
-      content.bytes(0x00209128, "UL",
-                    number_bytes(static_cast<std::uint64_t>(time + 1), 4, Order::little_endian));
+      const auto text = [](int number) {
+        return number_bytes(static_cast<std::uint64_t>(number), 4, Order::little_endian);
+      };
+      if (has_times)
+        content.bytes(0x00209128, "UL", text(time + 1));
+      else
+        content.bytes(0x00209157, "UL", text(z + 1) + text(time + 1));
       frame.sequence(0x00209113, {place}).sequence(0x00209116, {orientation});
       frame.sequence(0x00209111, {content});
       groups.push_back(frame);
@@ -258,13 +273,16 @@ Dataset enhanced() {
 }
 
 TEST_CASE_FIXTURE(Folder, "times in one file are separated and chosen") {
-  const auto file = write("v.dcm", enhanced().file());
-  check_refused(file, "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID");
-  VolumeOptions options;
-  for (std::uint32_t time = 0; time < 2; ++time) {
-    options.frame = time;
-    CHECK(read_all(*open_volume(file, options)) ==
-          as_read(numbered_values(static_cast<int>(time))));
+  for (const bool has_times : {true, false}) {
+    const auto file = write("v.dcm", enhanced(has_times).file());
+    check_refused(file, has_times ? "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID"
+                                  : "2: 5 slices of 8 x 6, 'MR', number 2 by dimension index, UID");
+    VolumeOptions options;
+    for (std::uint32_t time = 0; time < 2; ++time) {
+      options.frame = time;
+      CHECK(read_all(*open_volume(file, options)) ==
+            as_read(numbered_values(static_cast<int>(time))));
+    }
   }
 }
 

@@ -571,6 +571,49 @@ TEST_CASE_FIXTURE(Folder, "the geometry of DREAM3D-NX places its arrays") {
   CHECK(info.placement->origin_mm == Vector{5, 6, 7});
 }
 
+void write_dataset(const Hdf5Handle& file, const char* path, const std::vector<hsize_t>& sizes,
+                   const std::vector<double>& numbers) {
+  const Hdf5Handle dataset = new_dataset(file, path, sizes, no_creation(), H5T_IEEE_F64LE);
+  REQUIRE(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                   numbers.data()) >= 0);
+}
+
+TEST_CASE_FIXTURE(Hdf5File, "an image of ITK has the place that is stored beside it") {
+  {
+    const Hdf5Handle opened = new_file(file);
+    new_group(opened, "ITKImage");
+    new_group(opened, "ITKImage/0");
+    new_dataset(opened, "ITKImage/0/VoxelData", {4, 3, 5}, no_creation());
+    write_dataset(opened, "ITKImage/0/Spacing", {3}, {2, 3, 4});
+    write_dataset(opened, "ITKImage/0/Origin", {3}, {5, 6, 7});
+    write_dataset(opened, "ITKImage/0/Directions", {3, 3}, {0, 1, 0, -1, 0, 0, 0, 0, 1});
+  }
+  const VolumeInfo info = open_volume(file)->info();
+  CHECK(info.spacing_mm == Spacing{2, 3, 4});
+  REQUIRE(info.placement);
+  CHECK(info.placement->space == discmc::Space::lps);
+  CHECK(info.placement->origin_mm == Vector{5, 6, 7});
+  CHECK(info.placement->axes_mm[0] == Vector{0, 2, 0});
+  CHECK(info.placement->axes_mm[1] == Vector{-3, 0, 0});
+}
+
+TEST_CASE_FIXTURE(Hdf5File, "signed cells of BigDataViewer are unsigned, and a range is noted") {
+  {
+    const Hdf5Handle opened = new_file(file);
+    new_group(opened, "t00000");
+    new_group(opened, "t00000/s00");
+    new_group(opened, "t00000/s00/0");
+    const Hdf5Handle cells =
+        new_dataset(opened, "t00000/s00/0/cells", {1, 2, 2}, no_creation(), H5T_STD_I16LE);
+    const std::vector<std::int16_t> samples = {-1, 2, 3, 4};
+    H5Dwrite(cells.id(), H5T_NATIVE_INT16, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+    write_numbers(cells, "valid_max", {9});
+  }
+  const auto reader = open_volume(file);
+  CHECK(noted(reader->info(), "valid_max is not applied"));
+  CHECK(read_all(*reader)[0] == 65535);
+}
+
 TEST_CASE_FIXTURE(Hdf5File, "resolution and offset of CREMI are nanometres") {
   {
     const Hdf5Handle dataset = new_dataset(new_file(file), "labels", {4, 3, 5}, no_creation());

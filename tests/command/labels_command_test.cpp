@@ -58,6 +58,14 @@ TEST_CASE_FIXTURE(LabelVolume, "names of labels that are paths lead out of no fo
   CHECK(shell("LC_ALL=C ls out").out == "_...stl\n_.._.._bone.stl\n_tmp_bone.stl\n");
 }
 
+TEST_CASE_FIXTURE(LabelVolume, "a table that names no label of the volume is reported") {
+  write("table.txt", "77 bone 1 2 3\n");
+  check_parts(run(extract + "--labels all --label-table table.txt -q -o '{name}.stl'"), 0,
+              {"no label of the volume has a name in --label-table"});
+  fails(extract + "--labels 0,1 -o '{name}.stl'", 1,
+        {"--labels has 0, which is the background", "--label 0 for its surface"});
+}
+
 TEST_CASE_FIXTURE(LabelVolume, "a table names the meshes of labels") {
   write("table.txt", "0 Background 0 0 0\n1 bone 1 2 3\n2 skin 4 5 6\n9 bone 7 8 9\n");
   done(extract + "--labels all --label-table table.txt -o '{name}.ply'");

@@ -326,7 +326,7 @@ TEST_CASE_FIXTURE(Folder,
                   "MetaImage of every type, byte order, compression and attachment is read") {
   const std::vector<std::pair<SampleType, std::string>> types = {
       {SampleType::u8, "MET_UCHAR"},       {SampleType::u16, "MET_USHORT"},
-      {SampleType::i16, "MET_SHORT"},      {SampleType::i8, "MET_CHAR"},
+      {SampleType::i16, "MET_SHORT"},      {SampleType::i8, "MET_CHAR_ARRAY"},
       {SampleType::u32, "MET_UINT"},       {SampleType::i32, "MET_INT"},
       {SampleType::u32, "MET_ULONG"},      {SampleType::i32, "MET_LONG"},
       {SampleType::u64, "MET_ULONG_LONG"}, {SampleType::i64, "MET_LONG_LONG"},
@@ -375,7 +375,7 @@ TEST_CASE_FIXTURE(Folder, "unsupported MetaImage is refused by name") {
     check_refused(write("v.mha", metaimage(lines, sizes) + u8), part);
   };
   const std::string local = "ElementDataFile = LOCAL\n";
-  check("ElementType = MET_UCHAR_ARRAY\n" + local, "'MET_UCHAR_ARRAY'");
+  check("ElementType = MET_OTHER\n" + local, "'MET_OTHER'");
   check(metaimage_u8 + "BinaryData = False\n" + local, "not a sample of type u8");
   check(metaimage_u8 + "ElementNumberOfChannels = 0\n" + local, "ElementNumberOfChannels is 0");
   check(metaimage_u8 + "ElementToIntensityFunctionSlope = -1\n" + local, "negative slope");

@@ -34,6 +34,22 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be scalars, colours or a field, and
   CHECK(info.placement->origin_mm == Vector{7, 8, -9});
 }
 
+TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
+  const std::string metadata = "METADATA\nINFORMATION 0\n\n";
+  const std::string eight = std::string("\0\12 3\4\5\6\7", 8);  // with a line's end in it
+  const std::string field = "FIELD FieldData 2\nTIME 1 1 double\n" + eight + "\n" + metadata +
+                            "N 2 1 int\n" + eight + "\n";
+  check_volume(write("v.vtk", vtk(field + image + scalars + u8)), SampleType::u8, "VTK, raw");
+  check_refused(write("v.vtk", vtk("FIELD FieldData 1\nTIME 1 -1 double\n" + image + scalars + u8)),
+                "the field's line 'TIME 1 -1 double' is not that of an array");
+  const std::string header = "# vtk DataFile Version 3.0\n\nASCII\n";
+  std::string text;
+  for (const char sample : u8) text += std::to_string(static_cast<unsigned char>(sample)) + ' ';
+  check_volume(write("v.vtk", header + "FIELD FieldData 1\nTIME 1 3 double\n1 2\n3\n" + image +
+                                  scalars + text),
+               SampleType::u8, "VTK, text");
+}
+
 TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars is a channel") {
   std::string samples, text;
   for (const char sample : u8)

@@ -464,6 +464,8 @@ TEST_CASE_FIXTURE(ZarrFolder, "filters that shuffle, add up and round are undone
         std::vector<double>{5, 6, 5, 7});
   CHECK(values_of(R"({"id": "quantize", "digits": 1, "dtype": "<f4"})",
                   std::string("\0\0\x80\x3f", 4) + std::string(12, '\0'), "<f4")[0] == 1);
+  CHECK(values_of(R"({"id": "bitround", "keepbits": 3})", "\5\1\7\2", "|u1") ==
+        std::vector<double>{5, 1, 7, 2});
   CHECK(values_of(R"({"id": "delta", "dtype": "|u1"}, {"id": "shuffle", "elementsize": 2})",
                   std::string("\1\3\2\4", 4), "|u1") == std::vector<double>{1, 3, 6, 10});
 }

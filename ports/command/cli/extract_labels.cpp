@@ -57,6 +57,10 @@ Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names)
   }
   for (const NamedLabels& each : labels)
     for (const auto& [layer, values] : each.set) {
+      if (values == std::vector<LabelValue>{0})
+        throw std::invalid_argument(
+            "--labels has 0, which is the background; leave it out, or give "
+            "--label 0 for its surface");
       if (values.size() > 1) {
         chosen.regions.push_back(each);
         continue;
@@ -199,6 +203,11 @@ std::vector<FoundLabel> labels_with_voxels(const ExtractArguments& arguments,
     throw std::runtime_error(name_for_people(arguments.volume) + ": the volume holds no label" +
                              (arguments.reading.mask.empty() ? "" : " within --mask") +
                              "; check --frame and --channel, or give --allow-empty");
+  const bool has_name = std::any_of(labels.begin(), labels.end(), [](const FoundLabel& label) {
+    return label.name.name != label.name.given;
+  });
+  if (!arguments.reading.label_table.empty() && !labels.empty() && !has_name)
+    print_message(arguments.volume, "no label of the volume has a name in --label-table");
   return labels;
 }
 

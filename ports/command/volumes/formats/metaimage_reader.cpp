@@ -92,8 +92,13 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view text)
       {"MET_ULONG", SampleType::u32},      {"MET_LONG", SampleType::i32},
       {"MET_ULONG_LONG", SampleType::u64}, {"MET_LONG_LONG", SampleType::i64},
       {"MET_FLOAT", SampleType::f32},      {"MET_DOUBLE", SampleType::f64}};
+  std::string_view bare = text;
+  constexpr std::string_view of_channels = "_ARRAY";
+  if (bare.size() > of_channels.size() &&
+      bare.substr(bare.size() - of_channels.size()) == of_channels)
+    bare.remove_suffix(of_channels.size());
   for (const auto& [name, type] : names)
-    if (text == name) return type;
+    if (bare == name) return type;
   fail_type(file, text);
 }
 

@@ -22,6 +22,20 @@ struct Header {
   std::string components = "1";
 };
 
+SampleType sample_type(const std::filesystem::path& file, const std::string& type) {
+  constexpr std::pair<std::string_view, SampleType> names[] = {
+      {"unsigned_char", SampleType::u8}, {"char", SampleType::i8},
+      {"signed_char", SampleType::i8},   {"unsigned_short", SampleType::u16},
+      {"short", SampleType::i16},        {"unsigned_int", SampleType::u32},
+      {"int", SampleType::i32},          {"unsigned_long", SampleType::u64},
+      {"long", SampleType::i64},         {"vtktypeuint64", SampleType::u64},
+      {"vtktypeint64", SampleType::i64}, {"float", SampleType::f32},
+      {"double", SampleType::f64}};
+  for (const auto& [name, of_name] : names)
+    if (type == name) return of_name;
+  fail_type(file, type);
+}
+
 class HeaderReader {
  public:
   explicit HeaderReader(ByteStream& stream) : stream_(stream) {}
@@ -85,11 +99,46 @@ class HeaderReader {
       header_.are_of_cells = key == "cell_data";
       are_arrays_next_ = true;
     } else if (key == "metadata") {
-      while (!trimmed(line()).empty()) continue;
+      skip_metadata();
+    } else if (key == "field" && !are_arrays_next_) {
+      expect_words(found, 3);
+      skip_field(integer(stream_.file(), key, found[2]));
     } else if (are_arrays_next_) {
       take_array(key, found);
     } else {
       refuse("the header line " + shown(text) + " is unknown", "correct the header");
+    }
+  }
+
+  void skip_metadata() {
+    while (!trimmed(line()).empty()) continue;
+  }
+
+  // What VTK keeps beside the image, such as a time.
+  void skip_field(std::int64_t arrays) {
+    while (arrays > 0) {
+      const std::string text = line();
+      const auto parts = words(text);
+      if (parts.empty()) continue;
+      if (lower(parts[0]) == "metadata") {
+        skip_metadata();
+        continue;
+      }
+      constexpr std::int64_t max_count = 1 << 20;
+      const auto count = [&](std::size_t place) {
+        return parts.size() < 4 ? -1
+                                : integer(stream_.file(), "the size of field data", parts[place]);
+      };
+      if (count(1) < 0 || count(1) > max_count || count(2) < 0 || count(2) > max_count)
+        refuse("the field's line " + shown(text) + " is not that of an array",
+               "leave the field out");
+      const std::int64_t values = count(1) * count(2);
+      if (header_.is_text)
+        for (auto left = values; left > 0;) left -= static_cast<std::int64_t>(words(line()).size());
+      else
+        stream_.skip(static_cast<std::uint64_t>(values) *
+                     sample_bytes(sample_type(stream_.file(), lower(parts[3]))));
+      --arrays;
     }
   }
 
@@ -128,20 +177,6 @@ class HeaderReader {
   Header header_;
   bool are_arrays_next_ = false;
 };
-
-SampleType sample_type(const std::filesystem::path& file, const std::string& type) {
-  constexpr std::pair<std::string_view, SampleType> names[] = {
-      {"unsigned_char", SampleType::u8}, {"char", SampleType::i8},
-      {"signed_char", SampleType::i8},   {"unsigned_short", SampleType::u16},
-      {"short", SampleType::i16},        {"unsigned_int", SampleType::u32},
-      {"int", SampleType::i32},          {"unsigned_long", SampleType::u64},
-      {"long", SampleType::i64},         {"vtktypeuint64", SampleType::u64},
-      {"vtktypeint64", SampleType::i64}, {"float", SampleType::f32},
-      {"double", SampleType::f64}};
-  for (const auto& [name, of_name] : names)
-    if (type == name) return of_name;
-  fail_type(file, type);
-}
 
 // Cells are one less along each axis than points, and their centres half a step behind these.
 std::vector<std::int64_t> sizes(const Header& header) {

@@ -115,13 +115,24 @@ bool lie_one_after_another(const Stacks& stacks, const Places& places) {
   });
 }
 
+// Whether they are slices whose positions were never set.
+bool have_one_position(const Stacks& stacks, const Places& places) {
+  const auto& first = stacks[places[0]].frames[0].place;
+  return are_slices_of_series(stacks, places) &&
+         std::all_of(places.begin(), places.end(), [&](std::size_t place) {
+           const auto& other = stacks[place].frames[0].place;
+           return first && other && other->position == first->position;
+         });
+}
+
 [[noreturn]] void fail_several(const std::filesystem::path& source, const Stacks& stacks,
                                const Places& places) {
   const std::string choose = "choose one with --series N, its number in this list";
   if (have_one_series(stacks, places))
     fail(source, "several volumes in one series" + differences(stacks, places),
          choose +
-             (lie_one_after_another(stacks, places)
+             (have_one_position(stacks, places) ? ", or read them as slices with --order instance"
+              : lie_one_after_another(stacks, places)
                   ? ", or resample all to one distance of slices, e.g. in 3D Slicer"
                   : "") +
              list(stacks, places));

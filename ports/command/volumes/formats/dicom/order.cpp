@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "stack.hpp"
@@ -80,6 +81,14 @@ void order_without_positions(const Path& source, VolumeInfo& info, Frames& stack
   }
 }
 
+// Whether two frames do.
+bool have_one_place(const Frames& stack) {
+  std::set<Vector> positions;
+  for (const DicomFrame& frame : stack)
+    if (frame.place && !positions.insert(frame.place->position).second) return true;
+  return false;
+}
+
 // ---- the volume ----
 
 void set_values(VolumeInfo& info, const Path& source, const Frames& stack) {
@@ -154,6 +163,8 @@ void order_stack(const Path& source, Frames& stack, const SamePixels& same_pixel
     line = order_by_position(source, info, stack, same_pixels, options.allow_gaps);
   } else {
     order_without_positions(source, info, stack, options);
+    if (have_one_place(stack))
+      note(info, "several slices have one position, and are read one behind the other");
   }
   require_one_spacing(source, stack);
   const DicomImage& image = *stack[0].image;

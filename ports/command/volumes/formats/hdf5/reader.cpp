@@ -73,6 +73,13 @@ std::string vtk_letters(const Hdf5Handle& file, const Hdf5Description& array) {
   return count > letters.size() || count + 1 < letters.size() ? "" : letters.substr(0, count);
 }
 
+// Its cells are unsigned numbers in a signed type: /t00000/s00/0/cells.
+bool is_of_big_data_viewer(const Hdf5Description& array) {
+  return array.type == SampleType::i16 && array.path.rfind("/t", 0) == 0 &&
+         array.path.find("/s") != std::string::npos &&
+         std::filesystem::path(array.path).filename() == "cells";
+}
+
 // Programs whose arrays are not volumes as stored.
 void require_plain(const std::filesystem::path& name, const Hdf5Handle& file,
                    const std::vector<Hdf5Description>& datasets) {
@@ -177,6 +184,20 @@ void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vect
   }
 }
 
+// The numbers of a dataset, if it has this many.
+template <std::size_t count>
+std::optional<std::array<double, count>> numbers_in(const Hdf5Handle& file,
+                                                    const std::string& path) {
+  if (H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) <= 0) return std::nullopt;
+  const Hdf5Handle dataset(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  std::array<double, count> numbers{};
+  if (!dataset || H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(count) ||
+      H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
+    return std::nullopt;
+  return numbers;
+}
+
 // DREAM.3D keeps the geometry in a group of its own, with x first and without a unit. DREAM3D-NX
 // keeps it in attributes of the group around that of the array.
 void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path) {
@@ -189,18 +210,29 @@ void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::stri
   const std::size_t end = path.find('/', containers.size());
   if (path.compare(0, containers.size(), containers) != 0 || end == std::string::npos) return;
   const std::string geometry = path.substr(0, end) + "/_SIMPL_GEOMETRY/";
-  for (const char* const name : {"SPACING", "ORIGIN"}) {
-    const Hdf5Handle dataset(H5Dopen2(file.id(), (geometry + name).c_str(), H5P_DEFAULT), H5Dclose);
-    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
-    std::array<double, 3> numbers{};
-    if (!dataset || H5Sget_simple_extent_npoints(space.id()) != 3 ||
-        H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
-      return;
-    if (name[0] == 'O')
-      place.origin = numbers;
-    else
-      std::copy(numbers.begin(), numbers.end(), place.spacing.begin());
-  }
+  if (const auto numbers = numbers_in<3>(file, geometry + "SPACING"))
+    std::copy(numbers->begin(), numbers->end(), place.spacing.begin());
+  if (const auto numbers = numbers_in<3>(file, geometry + "ORIGIN")) place.origin = *numbers;
+}
+
+// ITK keeps the geometry beside its array, with x first, in the space of the patient.
+void take_itk_image(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path,
+                    const ArrayLayout& layout) {
+  constexpr std::string_view voxels = "/VoxelData";
+  const std::size_t end = path.size() - std::min(path.size(), voxels.size());
+  if (path.rfind("/ITKImage/", 0) != 0 || path.substr(end) != voxels || layout.order() != "zyx")
+    return;
+  const std::string image = path.substr(0, end);
+  const auto spacing = numbers_in<3>(file, image + "/Spacing");
+  const auto origin = numbers_in<3>(file, image + "/Origin");
+  const auto directions = numbers_in<9>(file, image + "/Directions");
+  if (!spacing || !origin || !directions) return;
+  std::copy(spacing->begin(), spacing->end(), place.spacing.begin());
+  place.origin = *origin;
+  place.directions.emplace();
+  for (std::size_t i = 0; i < 9; ++i) (*place.directions)[i / 3][i % 3] = (*directions)[i];
+  place.set_unit("mm");
+  place.space = Space::lps;
 }
 
 void take_vtk_image(DeclaredPlace& place, const std::filesystem::path& name, const Hdf5Handle& file,
@@ -234,6 +266,7 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
   const Hdf5Handle& handle = dataset.handle();
   DeclaredPlace place;
   take_geometry(place, file, dataset.description().path);
+  take_itk_image(place, file, dataset.description().path, layout);
   take_vtk_image(place, name, file, dataset.description().path, layout);
   take_sizes(place, layout, numbers_of(handle, "element_size_um"), {}, "um");
   const auto resolution = numbers_of(handle, "resolution");
@@ -308,8 +341,15 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
     const auto numbers = numbers_of(dataset.handle(), attribute);
     return numbers.size() == 1 ? std::optional(numbers[0]) : std::nullopt;
   };
-  auto fill =
-      set_values(info, name, declared_values(number, text_of(dataset.handle(), "_Unsigned")));
+  auto values = declared_values(number, text_of(dataset.handle(), "_Unsigned"));
+  if (is_of_big_data_viewer(dataset.description())) {
+    values.is_unsigned = true;
+    note(info, "signed numbers are read as unsigned ones, as BigDataViewer has them");
+  }
+  for (const char* const range : {"valid_range", "valid_min", "valid_max"})
+    if (!numbers_of(dataset.handle(), range).empty())
+      note(info, std::string(range) + " is not applied; values beyond it are read as they are");
+  auto fill = set_values(info, name, values);
   if (options.holds_labels) fill.reset();
   auto volume = volume_of(name, std::move(info), std::move(dataset), file, layout);
   return fill ? without_fill(std::move(volume), *fill) : std::move(volume);

@@ -109,7 +109,7 @@ void add_filter(ZarrDescription& array, const Path& file, const Json& filter, co
     array.filters.push_back({size.get<std::size_t>(), {}});
   else if (name == "delta" && keeps_type && is_whole)
     array.filters.push_back({0, array.type});
-  else if (name != "quantize" || !keeps_type)
+  else if (name != "bitround" && (name != "quantize" || !keeps_type))
     fail(file, "its samples went through the filter " + shown(filter.dump()),
          "write it again without filters, e.g. with zarr in Python");
 }
