@@ -46,7 +46,7 @@ void add_decoder(py::module_& module) {
       .def_readonly("has_header", &StreamReport::has_header)
       .def_readonly("has_trailer", &StreamReport::has_trailer)
       .def_readonly("holds_slices", &StreamReport::holds_slices)
-      .def_readonly("abandoned", &StreamReport::abandoned)
+      .def_readonly("is_abandoned", &StreamReport::is_abandoned)
       .def_readonly("is_unreadable", &StreamReport::is_unreadable)
       .def_readonly("is_mixed", &StreamReport::is_mixed)
       .def_readonly("bytes", &StreamReport::bytes)
