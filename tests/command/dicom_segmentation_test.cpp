@@ -278,6 +278,8 @@ TEST_CASE_FIXTURE(Folder, "names in the character sets of Asia are UTF-8") {
   const struct {
     const char *set, *name, *utf8;
   } cases[] = {{"\\ISO 2022 IR 87", "\x1b$B4NB!\x1b(B", "\xe8\x82\x9d\xe8\x87\x93"},
+               {"ISO 2022 IR 13\\ISO 2022 IR 87", "\xd4\x1b$B4N\x1b(J", "\xef\xbe\x94\xe8\x82\x9d"},
+               {"", "\xc6rea", "\xc3\x86rea"},
                {"\\ISO 2022 IR 149", "\x1b$)C\xb0\xa3", "\xea\xb0\x84"},
                {"\\ISO 2022 IR 58", "\x1b$)A\xb8\xce", "\xe8\x82\x9d"}};
   for (const auto& each : cases) {

@@ -58,6 +58,12 @@ TEST_CASE_FIXTURE(LabelVolume, "names of labels that are paths lead out of no fo
   CHECK(shell("LC_ALL=C ls out").out == "_...stl\n_.._.._bone.stl\n_tmp_bone.stl\n");
 }
 
+TEST_CASE_FIXTURE(LabelVolume, "a table in Latin-1 names files in UTF-8") {
+  write("table.txt", "1 \xc6rea 1 2 3\n");
+  done(extract + "--label \xc3\x86rea --label-table table.txt -q -o '{name}.stl'");
+  CHECK(shell("ls").out.find("\xc3\x86rea.stl") != std::string::npos);
+}
+
 TEST_CASE_FIXTURE(LabelVolume, "a table that names no label of the volume is reported") {
   write("table.txt", "77 bone 1 2 3\n");
   check_parts(run(extract + "--labels all --label-table table.txt -q -o '{name}.stl'"), 0,

@@ -95,4 +95,19 @@ std::string xml_attribute(std::string_view name) {
   return text;
 }
 
+std::string utf8(std::string_view text) {
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t length = character_length(rest);
+    if (length > 1) return std::string(text);
+    rest.remove_prefix(1);
+  }
+  std::string result;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code >= 0x80) result += static_cast<char>(0xC0U | code >> 6U);
+    result += code >= 0x80 ? static_cast<char>(0x80U | (code & 0x3FU)) : c;
+  }
+  return result;
+}
+
 }  // namespace discmc::command

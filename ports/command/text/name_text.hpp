@@ -13,4 +13,7 @@ std::string json_string(std::string_view name);
 /// becomes U+FFFD.
 std::string xml_attribute(std::string_view name);
 
+/// The text in UTF-8. One without any character of UTF-8 above ASCII is taken to be Latin-1.
+std::string utf8(std::string_view text);
+
 }  // namespace discmc::command

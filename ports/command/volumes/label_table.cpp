@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "text/name_text.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
@@ -68,7 +69,7 @@ std::optional<LabelDescription> entry(std::string_view index, std::string_view n
                                       const std::optional<Srgb>& colour) {
   const auto label = label_value(index);
   if (!label || name.empty()) return std::nullopt;
-  return LabelDescription{std::string(name), colour, {*label}};
+  return LabelDescription{utf8(name), colour, {*label}};
 }
 
 // The lines of a table, whose first line defines how to read the others.

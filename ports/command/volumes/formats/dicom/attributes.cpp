@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/name_text.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 
@@ -28,27 +29,75 @@ std::string text_of(DcmElement* element) {
   return std::string(trimmed(found));
 }
 
+namespace {
+
+// Text of a character set as UTF-8. A set that is chosen within the text stays from call to call.
+class ToUtf8 {
+ public:
+  explicit ToUtf8(const char* set) : converter_(iconv_open("UTF-8", set)) {}
+  ToUtf8(const ToUtf8&) = delete;
+  ToUtf8& operator=(const ToUtf8&) = delete;
+  ~ToUtf8() {
+    if (is_open()) iconv_close(converter_);
+  }
+
+  // Returns false where the text is not of the set.
+  bool add(std::string text, std::string& to) {
+    if (!is_open()) return false;
+    std::string converted(4 * text.size() + 1, '\0');
+    char* in = text.data();
+    char* out = converted.data();
+    std::size_t in_left = text.size(), out_left = converted.size();
+    if (iconv(converter_, &in, &in_left, &out, &out_left) == std::size_t(-1)) return false;
+    to.append(converted, 0, converted.size() - out_left);
+    return true;
+  }
+
+ private:
+  bool is_open() const { return converter_ != reinterpret_cast<iconv_t>(-1); }
+
+  iconv_t converter_;
+};
+
+bool is_katakana(char c) {
+  return static_cast<unsigned char>(c) > 0xA0 && static_cast<unsigned char>(c) < 0xE0;
+}
+
+// Half-width katakana (ISO IR 13) have 8 bits, which iconv's set of Japanese lacks.
+bool add_japanese(ToUtf8& converter, std::string_view text, std::string& to) {
+  while (!text.empty()) {
+    if (is_katakana(text[0])) {
+      const unsigned code = 0xFF61U + static_cast<unsigned char>(text[0]) - 0xA1U;
+      to += {'\xEF', static_cast<char>(0x80U | (code >> 6U & 0x3FU)),
+             static_cast<char>(0x80U | (code & 0x3FU))};
+      text.remove_prefix(1);
+      continue;
+    }
+    const auto end = std::find_if(text.begin(), text.end(), is_katakana);
+    const auto length = static_cast<std::size_t>(end - text.begin());
+    if (!converter.add(std::string(text.substr(0, length)), to)) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+}  // namespace
+
 std::string name_in(DcmItem& dataset, DcmItem& item, const DcmTagKey& key) {
   const std::string set = text_of(dataset, DCM_SpecificCharacterSet);
   std::string text = text_of(item, key);
   const auto has = [&](const char* name) { return set.find(name) != std::string::npos; };
-  if (!has("ISO 2022")) return text;
+  if (!has("ISO 2022")) return utf8(text);
   const bool is_korean = has("IR 149"), is_chinese = has("IR 58");
-  const iconv_t converter = iconv_open("UTF-8", is_korean    ? "EUC-KR"
-                                                : is_chinese ? "GB2312"
-                                                             : "ISO-2022-JP-2");
-  if (converter == reinterpret_cast<iconv_t>(-1)) return text;
-  // These have letters of 8 bits, as without what announces them.
-  for (const char* const announced : {"\x1b$)C", "\x1b$)A"})
-    for (std::size_t at = 0; (at = text.find(announced)) != std::string::npos;) text.erase(at, 4);
-  std::string utf8(4 * text.size() + 1, '\0');
-  char* in = text.data();
-  char* out = utf8.data();
-  std::size_t in_left = text.size(), out_left = utf8.size();
-  const bool is_read = iconv(converter, &in, &in_left, &out, &out_left) != std::size_t(-1);
-  iconv_close(converter);
-  utf8.resize(utf8.size() - out_left);
-  return is_read ? utf8 : text;
+  ToUtf8 converter(is_korean ? "EUC-KR" : is_chinese ? "GB2312" : "ISO-2022-JP-2");
+  // These announce letters of 8 bits.
+  for (const std::string_view announced : {"\x1b$)C", "\x1b$)A", "\x1b)I"})
+    for (std::size_t at = 0; (at = text.find(announced)) != std::string::npos;)
+      text.erase(at, announced.size());
+  std::string name;
+  const bool is_read =
+      has("IR 13") ? add_japanese(converter, text, name) : converter.add(text, name);
+  return is_read ? name : utf8(text);
 }
 
 std::optional<double> real_of(DcmElement* element, unsigned long index) {
