@@ -133,6 +133,26 @@ TEST_CASE_FIXTURE(Folder, "JPEG is read, and a channel of a colour JPEG") {
                   "the JPEG file is damaged (Premature end of JPEG file)");
 }
 
+TEST_CASE_FIXTURE(Folder, "the EXIF orientation of JPEG turns the picture, or is refused") {
+  const std::string bytes = contents(files / "u8.jpg");
+  const auto turned = [&](char orientation, std::size_t cut) {
+    std::string exif("Exif\0\0MM\0*\0\0\0\10\0\1\1\22\0\3\0\0\0\1\0", 25);
+    exif += orientation + std::string("\0\0\0\0\0\0", 6);
+    exif.resize(exif.size() - cut);
+    const std::string size{'\0', static_cast<char>(exif.size() + 2)};
+    return write("v.jpg", bytes.substr(0, 2) + "\xff\xe1" + size + exif + bytes.substr(2));
+  };
+  for (const bool is_lowest : {false, true}) {
+    const auto info = open_volume(turned(is_lowest ? 3 : 2, 0))->info();
+    CHECK(noted(info, "the first column is the right one"));
+    CHECK(noted(info, "the first row is the lowest") == is_lowest);
+  }
+  CHECK_FALSE(noted(open_volume(turned(4, 0))->info(), "the first column"));
+  check_refused(turned(6, 0), "its EXIF orientation exchanges rows and columns", "-auto-orient");
+  for (std::size_t cut = 7; cut < 30; ++cut)
+    CHECK(!noted(open_volume(turned(6, cut))->info(), "row"));
+}
+
 TEST_CASE_FIXTURE(Folder, "a picture is recognized by its first bytes under any name") {
   for (const std::string name : {"u8.png", "u8.tif", "u8.jpg", "u8.bmp"}) {
     const std::string bytes = contents(files / name);

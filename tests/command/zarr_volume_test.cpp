@@ -488,4 +488,16 @@ TEST_CASE_FIXTURE(ZarrFolder, "labels of OME-Zarr have their names and colours")
   CHECK(labels[1].values == std::vector{discmc::meshing::LabelValue(700)});
 }
 
+TEST_CASE_FIXTURE(ZarrFolder, "labels that lie beside the samples of an image are noted") {
+  const fs::path scan = path() / "scan";
+  write_image(scan, zyx_axes, dataset("0", "[1, 1, 1]"));
+  write_array(scan / "0", {4, 3, 5}, u8);
+  write(scan / "labels/.zgroup", R"({"zarr_format": 2})");
+  VolumeOptions options;
+  for (const bool holds_labels : {false, true}) {
+    options.holds_labels = holds_labels;
+    CHECK(noted(open_volume(scan, options)->info(), "its labels lie in ") == holds_labels);
+  }
+}
+
 }  // namespace

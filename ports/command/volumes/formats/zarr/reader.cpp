@@ -11,6 +11,7 @@
 #include "chunks.hpp"
 #include "folder.hpp"
 #include "image.hpp"
+#include "text/words.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/filters/filters.hpp"
@@ -178,6 +179,9 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
   info.type = image.array.type;
   info.labels = std::move(image.labels);
   info.format = image.is_ome ? "OME-Zarr" : "Zarr";
+  if (options.holds_labels && image.is_ome && is_zarr(folder / "labels"))
+    note(info, "these are the samples of the image; its labels lie in " +
+                   without_control((folder / "labels").string()));
   if (!image.level.empty()) info.format += ", " + image.level;
   const ArrayShape shape{image.array.sizes, letters_of(image), image.channels};
   const ArrayLayout layout = take_array(info, folder, shape, options);
