@@ -274,6 +274,11 @@ TEST_CASE_FIXTURE(Workshop, "a folder or pattern of masks is a label a file, nam
   write("seg/bone.nii.gz", mask(bone));
   write("seg/lung left.nii.gz", mask(lung));
   write("seg/spleen.nii.gz", mask(std::string(24, '\0')));
+  write("seg/spleen.nii", mask(std::string(24, '\0')));
+  fails(
+      "extract seg --labels all -o m.glb", 1,
+      {"two files are the mask 'spleen': 'spleen.nii' and 'spleen.nii.gz'; move one of them away"});
+  REQUIRE(shell("rm seg/spleen.nii").code == 0);
   write("seg/._bone.nii.gz", "of macOS");
   write("seg/statistics.json", "{}");
   write("v.raw", volume);

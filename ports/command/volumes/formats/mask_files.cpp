@@ -2,6 +2,7 @@
 #include "mask_files.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -53,7 +54,7 @@ class Mask final : public VolumeFilter {
       fail(file_,
            "the values " + label_.text() + " and " + label.text() +
                " are in the file, and each of several files must be the mask of one label",
-           "give this file alone");
+           "give this file alone, or move it away");
     label_ = label;
   }
 
@@ -110,8 +111,18 @@ std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
   VolumeInfo info = volume->info();
   info.frames = files.size();
   info.labels.clear();
-  for (std::size_t i = 0; i < files.size(); ++i)
-    info.labels.push_back({*mask_name(files[i]), {}, {}, static_cast<std::uint32_t>(i)});
+  std::map<std::string, std::filesystem::path> named;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string name = *mask_name(files[i]);
+    const auto [other, is_new] = named.emplace(name, files[i]);
+    if (!is_new)
+      fail(source,
+           "two files are the mask " + shown(name) + ": " +
+               shown(other->second.filename().string()) + " and " +
+               shown(files[i].filename().string()),
+           "move one of them away");
+    info.labels.push_back({name, {}, {}, static_cast<std::uint32_t>(i)});
+  }
   info.format += ", " + std::to_string(files.size()) + " files";
   return std::make_unique<Mask>(files[number], std::move(volume), std::move(info), notes);
 }

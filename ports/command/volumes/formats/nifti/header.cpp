@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "volumes/format_list.hpp"
 #include "volumes/header_bytes.hpp"
 
 namespace discmc::command {
@@ -105,6 +106,10 @@ NiftiHeader read_nifti_header(ByteStream& stream) {
     header.is_big_endian = is_big_endian;
     return header;
   }
+  const VolumeFormat* const other = format_of_head(stream.peek(magic_bytes));
+  if (other != nullptr && !is_read(*other))
+    fail(stream.file(), "this is " + std::string(other->name) + ", which is not supported",
+         std::string(other->remedy));
   fail(stream.file(),
        "the header has size " + std::to_string(size_as(is_native_big_endian())) +
            ", which is not a size of NIfTI",
