@@ -29,9 +29,9 @@ class FractionSliceEncoder : public SliceEncoder {
   /// The memory of start(), which needs no more. A SliceEncoder with slices between its key slices
   /// needs a part of it. In addition there is a row of samples. Each surface needs half a byte per
   /// voxel of a slice, and 4 bytes per voxel of a row. The fractions of the slice before need 2
-  /// bytes per voxel of a row and of a column. Those without room only make the stream longer. The
-  /// probabilities need 940 bytes for 2 levels, or 2,752 for 4. Limit: valid limits, and levels of
-  /// 2 or 4.
+  /// bytes per voxel of a row and of a column. Fractions without room only make the stream longer.
+  /// The probabilities need 940 bytes for 2 levels, or 2,752 for 4. Limit: valid limits, and
+  /// levels of 2 or 4.
   static constexpr uint64_t minimum_bytes(const SliceEncoderConfig& config) {
     return bytes_for(config, true) +
            fraction_bytes(config.limits, config.surface_count, config.levels);

@@ -46,7 +46,7 @@ inline Polygons polygon_of(discmc::Incidence incidence, const std::vector<Corner
   return polygons;
 }
 
-// Those at these places.
+// The polygons at these places.
 inline Polygons only(const Polygons& polygons, const std::vector<std::size_t>& places) {
   Polygons some;
   for (const std::size_t place : places) some.push_back(polygons[place]);

@@ -56,7 +56,7 @@ TEST_CASE_FIXTURE(Folder,
   const auto cells = write("cells.vti", file);
   check_volume(cells, SampleType::u8, "VTK XML, raw");
   CHECK(open_volume(cells)->info().placement->origin_mm == Vector{-0.5, 3, 5});
-  // Those at points come first where there are both.
+  // Arrays at points come first where there are both.
   const std::string of_cells =
       "<CellData><DataArray type=\"Int16\" Name=\"c\" format=\"appended\" "
       "offset=\"70\"/></CellData>";

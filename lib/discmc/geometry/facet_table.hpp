@@ -39,7 +39,8 @@ struct FacetRing {
   CellPoint point[4];
 };
 
-/// The facets of every configuration. Those of c are facet[first[c]] to facet[first[c + 1] - 1].
+/// The facets of every configuration. Configuration c has facet[first[c]] to facet[first[c + 1] -
+/// 1].
 struct FacetTable {
   static constexpr int total = 1068;
   uint16_t first[configurations + 1];

@@ -42,7 +42,7 @@ struct FractionRow {
   }
   /// Finds the voxels of a word with an edge that has a fraction.
   uint32_t find(uint32_t word) const { return along_x(word) | along_y(word) | along_z(word); }
-  /// Those with such an edge along an axis.
+  /// Columns with such an edge along an axis.
   uint32_t along_x(uint32_t word) const {
     return (here[word] ^ here[word] << 1) & columns_along_x(word) & mask(0);
   }
@@ -159,7 +159,7 @@ class Fractions {
     bool is_clear[2] = {};  // whether no entry of the row has any bit
   };
 
-  // Those of a row, with one more entry on either side.
+  // Groups of four of a row, with one more entry on either side.
   static constexpr uint32_t fours(uint32_t width) { return (width + 5) / 4; }
   static constexpr uint32_t flag_words(uint32_t height) { return (height + 31) / 32; }
   void clear_row(uint32_t surface, bool is_odd) {

@@ -187,7 +187,7 @@ class RecordModel {
   uint32_t number(uint32_t row, uint32_t value);
   void set_incidence(Incidence incidence);
   // Whether the link coded last stays within its slice. Links are numbered in the order of z: 5
-  // lead down, 8 are level, 5 lead up. Those of the second half are opposite to those of the first.
+  // lead down, 8 are level, 5 lead up. The second half is opposite to the first.
   uint32_t is_level() const {
     const uint32_t half = directions() / 2;
     const uint32_t link =

@@ -234,8 +234,9 @@ bool BasicExtractor<Index, Intake, Sweep>::is_last_slice() const {
   return state_ == State::finishing && !intake_.holds_rows(bits_);
 }
 
-// Rows of the slice that is swept whose neighbours are there. Those of a closed border begin with
-// the row before the first, in the slice before the first. A slab begins in the slice below it.
+// Rows of the slice that is swept whose neighbours are there. With a closed border they begin
+// with the row before the first, in the slice before the first. A slab begins in the slice below
+// it.
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::ready_rows() const {
   const bool is_closed = !is_open();

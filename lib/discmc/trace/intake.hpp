@@ -1,7 +1,7 @@
 // Where samples come in: they become rows of bits, and may be kept for normals.
 //
 // An extractor without normals has nothing to keep: this intake thresholds samples as they come.
-// That of GradientIntake keeps them and lets rows wait (gradient_intake.hpp).
+// GradientIntake keeps samples and lets rows wait (gradient_intake.hpp).
 #ifndef DISCMC_TRACE_INTAKE_HPP
 #define DISCMC_TRACE_INTAKE_HPP
 

@@ -157,8 +157,8 @@ struct QueueNumbers {
   }
 };
 
-// The queue for chains from an edge of a cell by the centroid to another. That of the way back is
-// the other one of a pair, whether chains go there or not.
+// The queue for chains from an edge of a cell by the centroid to another. The way back has the
+// other queue of a pair, whether chains go there or not.
 struct SpokeQueues {
   uint8_t queue[cell_edges][cell_edges];
 };

@@ -28,7 +28,7 @@ std::string header_text(const FileMesh& mesh);
 /// Throws std::invalid_argument where a face is no triangle. format: its name.
 void require_triangles(const FileMesh& mesh, const std::string& format);
 
-/// Those of the meshes that have faces.
+/// Returns the meshes that have faces.
 Meshes with_faces(Meshes meshes);
 
 /// The shortest decimal that reads back as the same value.

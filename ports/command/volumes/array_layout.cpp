@@ -228,7 +228,7 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
                         in_block == std::uint64_t{info.dims[0]} * info.dims[1];
   if (is_plain)
     return std::make_unique<SliceStream>(std::move(info), std::move(stream), is_big_endian, frame);
-  // Those of all channels, where these are faster than the volume.
+  // Columns of all channels, where these are faster than the volume.
   const std::uint64_t columns = layout.sizes.back();
   if (columns > UINT32_MAX || in_block / columns > UINT32_MAX || frames > UINT32_MAX)
     fail(file, "the array has " + std::to_string(in_block) + " samples per slice",

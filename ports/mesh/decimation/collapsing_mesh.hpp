@@ -36,7 +36,7 @@ class CollapsingMesh {
   /// These count what is gone, too.
   std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(points_.size()); }
   std::uint32_t triangle_slots() const { return static_cast<std::uint32_t>(triangles_.size()); }
-  /// Those that are left.
+  /// Counts the triangles that are left.
   std::size_t triangle_count() const { return triangle_count_; }
 
   bool has_vertex(std::uint32_t vertex) const { return first_corner_[vertex] != none; }

@@ -42,7 +42,7 @@ struct SharedTriangles {
   std::vector<Triangle> triangles;
 };
 
-// Those of the mesh, numbered along a curve: what is near is then near in memory, too.
+// The triangles of the mesh, numbered along a curve: what is near is then near in memory, too.
 SharedTriangles triangles_along_curve(const FaceMesh& mesh) {
   const std::vector<Box> boxes = boxes_of(mesh.face_count(), [&](std::uint32_t face) {
     const std::uint32_t* of = mesh.face(face);

@@ -56,7 +56,7 @@ struct Extraction {
   bool is_full = false;             ///< whether every voxel is on
   bool is_of_slab = false;          ///< so there may be loose fragments
   std::optional<MemoryUse> memory;  ///< if it was measured
-  /// Those of host::Sweep, if this is a part.
+  /// As in host::Sweep, if this is a part.
   std::uint32_t left_triangle_parts = 0;
 };
 

@@ -61,8 +61,8 @@ struct Box {
   std::array<float, 3> high{-infinity, -infinity, -infinity};
 };
 
-/// Four boxes, axis by axis, so that vectors of the processor compare all with another. Those that
-/// are missing overlap nothing.
+/// Four boxes, axis by axis, so that vectors of the processor compare all with another.
+/// Missing boxes overlap nothing.
 class FourBoxes {
  public:
   FourBoxes() {

@@ -50,7 +50,7 @@ SinkResult GrowingJoiner::pass(const Event& event) {
 }
 
 void GrowingJoiner::grow() {
-  // Those before this one have a third of its memory together.
+  // The joiners before this one have a third of its memory together.
   is_beyond_limit_ = limit_ && bytes_ + bytes_ / 3 + 4 * std::uint64_t{bytes_} > limit_->bytes;
   if (!is_beyond_limit_) next_ = std::make_unique<GrowingJoiner>(sink_, order_, 4 * bytes_, limit_);
 }

@@ -69,7 +69,8 @@ class Forest {
   Mark mark() const { return {nodes_, unions_, links_, fingerprint_}; }
   void go_back(const Mark& mark);
 
-  /// That of reference::fingerprint_of_cells(), were the cells taken in the whole volume.
+  /// The fingerprint of reference::fingerprint_of_cells(), were the cells taken in the whole
+  /// volume.
   uint64_t fingerprint() const { return fingerprint_; }
   /// The links of all boundaries.
   uint32_t links() const { return links_; }

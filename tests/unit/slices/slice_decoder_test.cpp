@@ -96,7 +96,7 @@ class Code {
 
  private:
   static constexpr size_t bytes_of_row = (size.width + 7) / 8;
-  // That of 40 voxels, which have six bits, up to the end of the row.
+  // The context of 40 voxels, which have six bits, up to the end of the row.
   static constexpr uint32_t run_of_a_row = detail::slices::context::run + 2 * (6 - 1) + 1;
 
   void begin_code() {

@@ -40,7 +40,8 @@ Bytes encode_shortly(const Events& events) {
   return line.bytes;
 }
 
-// The packets of records that an encoder makes. Those that are to be whole leave room for a count.
+// The packets of records that an encoder makes. Packets that are to be whole leave room for a
+// count.
 KeptPackets packets_of(const Events& events, bool are_whole = true) {
   std::vector<Packet> all;
   for (const Bytes& frame : frames_of(are_whole ? encode_shortly(events) : encode(events)))

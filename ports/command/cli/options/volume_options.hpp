@@ -34,7 +34,8 @@ void add_label_options(CLI::App& app, std::string& labels, VolumeArguments& argu
 /// CLI::ValidationError.
 void check_label_options(const std::string& labels, const VolumeArguments& arguments);
 
-/// Those of selections, --border, --median, --mask, --allow-empty, --memory and --capacities.
+/// Adds the options of selections, --border, --median, --mask, --allow-empty, --memory and
+/// --capacities.
 void add_surface_options(CLI::App& app, VolumeArguments& arguments);
 
 }  // namespace discmc::command

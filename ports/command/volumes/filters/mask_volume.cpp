@@ -69,7 +69,7 @@ class MaskedLabels final : public VolumeFilter {
   std::vector<std::uint8_t> on_;
 };
 
-// Those of a volume that has times or channels, too.
+// The axes without those of times and channels.
 std::string axes_of_space(std::string axes) {
   const auto is_other = [](char letter) { return letter == 't' || letter == 'c'; };
   axes.erase(std::remove_if(axes.begin(), axes.end(), is_other), axes.end());

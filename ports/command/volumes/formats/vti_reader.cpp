@@ -59,7 +59,7 @@ class Head {
     return has_scalars() ? data().find_child_by_attribute("DataArray", "Name", scalars())
                          : data().find_child(is_of_samples);
   }
-  /// Those of the other arrays that precede the samples, "b, c".
+  /// The names of the other arrays that precede the samples, "b, c".
   std::string other_arrays() const {
     std::string names;
     for (const char* kind : {"PointData", "CellData"})

@@ -39,7 +39,7 @@ export function placeOf(lengths, axes, isRas = false) {
   return { spacing, upright: uprightBy(inLps, signs) };
 }
 
-/** Those of oblique axes are made square. @param {number[][]} axes @param {number[]} signs */
+/** Makes oblique axes square. @param {number[][]} axes @param {number[]} signs */
 function uprightBy(axes, signs) {
   const x = unit(axes[0].map((part) => signs[0] * part));
   const forwards = axes[1].map((part) => signs[1] * part);

@@ -179,7 +179,7 @@ def mosaic(random, folder):
         picture[top:top + height, left:left + width] = scan.values[:, :, z].T
     data = file(scan, MRImageStorage, "MR", ExplicitVRLittleEndian)
     data.ImageType = ["ORIGINAL", "PRIMARY", "M", "ND", "MOSAIC"]
-    # That of a picture as large as the mosaic, around the first slice.
+    # The position of a picture as large as the mosaic, around the first slice.
     aside = (across - 1) / 2
     first = [-aside * width, -aside * height, depth - 1 if goes_back else 0]
     add_place(data, scan, decimals(scan.place[:3, :3] @ first + scan.place[:3, 3]))

@@ -19,7 +19,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// Those of macOS beside files of the same names, and of git annex, hold no images of their own.
+// Hidden files of macOS, beside files of the same names, and of git annex hold no images.
 bool is_hidden(const Path& file) {
   return file.filename().native().rfind('.', 0) == 0;
 }

@@ -18,8 +18,8 @@ bool is_dicom_head(std::string_view head);
 /// Whether a file is named as DICOM files are.
 bool has_dicom_name(const std::filesystem::path& file);
 
-/// Returns the files of a folder and of all folders in it, by their names. Those whose names begin
-/// with a dot are left out.
+/// Returns the files of a folder and of all folders in it, by their names. Hidden files, whose
+/// names begin with a dot, are left out.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
 
 /// The same of DICOM files, packed ones too.

@@ -154,7 +154,7 @@ Vector slice_step(const Path& source, VolumeInfo& info, const Frames& stack,
   };
   constexpr double min_mm = 0.001, share = 0.25, straight_share = 0.02;  // of a voxel
   const double voxel = std::min(stack[0].spacing_mm[0], stack[0].spacing_mm[1]);
-  // That of a position, and of the two that the line goes through.
+  // The rounding of a position, and of the two that the line goes through.
   const double rounding = std::max(min_mm, 2 * length(rounding_of(stack)));
   const auto last = static_cast<double>(slices.numbers.back());
   const Vector shift = sum({}, 1 / last, aside(stack.size() - 1));
@@ -186,7 +186,7 @@ Vector slice_step(const Path& source, VolumeInfo& info, const Frames& stack,
                  " mm against the one before it, as by a gantry tilted by " +
                  short_number(std::atan2(length(shift), slices.step) * degrees) +
                  " degrees; the volume is sheared accordingly");
-  // That of the positions themselves, unless they are rounded.
+  // The way by the positions themselves, unless they are rounded.
   const Vector way = sum({}, 1 / last, sum(stack.back().place->position, -1, first));
   constexpr double same_mm = 1e-6;
   return std::fabs(dot(way, normal) - slices.step) < same_mm ? way : sum(straight, 1, shift);

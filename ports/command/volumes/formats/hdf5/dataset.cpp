@@ -63,7 +63,7 @@ std::optional<SampleType> sample_type_of(const Hdf5Handle& type) {
   }
 }
 
-// That of whole slots: the native type of the library is a smaller one where a file uses fewer
+// The type of whole slots: the native type of the library is a smaller one where a file uses fewer
 // bits.
 hid_t memory_type_of(SampleType type) {
   switch (type) {

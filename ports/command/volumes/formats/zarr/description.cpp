@@ -98,7 +98,7 @@ void add_codec(std::vector<ZarrCodec>& codecs, const Path& file, const std::stri
   codecs.push_back(*codec);
 }
 
-// Those that leave the type of the samples.
+// Filters that leave the type of the samples.
 void add_filter(ZarrDescription& array, const Path& file, const Json& filter, const Json& type) {
   const std::string name = text_of(member(filter, "id"));
   const Json& stored = member(filter, "astype");
@@ -142,7 +142,7 @@ std::vector<std::size_t> order_of(const Path& file, const Json& configuration, s
   return {numbers.begin(), numbers.end()};
 }
 
-// Those of the index of a shard, too, which has numbers of 64 bits.
+// Takes the codecs of an array, or of the index of a shard, which has numbers of 64 bits.
 void take_codecs(ZarrDescription& array, const Path& file, const Json& codecs);
 
 void take_shard(ZarrDescription& array, const Path& file, const Json& configuration) {
