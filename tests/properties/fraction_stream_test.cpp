@@ -66,7 +66,8 @@ void check_all_plans(const SampleVolume<Sample>& volume, int32_t threshold) {
 }  // namespace
 
 TEST_CASE("fractions arrive as the samples of any type give them") {
-  for (const Size& size : {Size{67, 9, 5}, Size{30, 4, 3}, Size{1, 1, 4}, Size{1, 7, 2}}) {
+  for (const Size& size :
+       {Size{67, 9, 5}, Size{30, 4, 3}, Size{1, 1, 4}, Size{1, 7, 2}, Size{7, 70, 2}}) {
     CAPTURE(size.width);
     check_all_plans(wave<uint8_t>(size, 100, 90), 100);
     check_all_plans(wave<uint16_t>(size, 500, 400), 500);
@@ -101,8 +102,9 @@ TEST_CASE("samples that are not consecutive have the same fractions") {
 }
 
 TEST_CASE("rows that are skipped have no fractions, nor have the edges to them") {
-  const SampleVolume<uint8_t> volume = wave<uint8_t>({35, 7, 9}, 100, 90);
-  for (const uint32_t interval : {0U, 2U}) {
+  const auto check = [](const Size& size, uint32_t interval) {
+    CAPTURE(size.height);
+    const SampleVolume<uint8_t> volume = wave<uint8_t>(size, 100, 90);
     SliceEncoderConfig config = config_of(volume, 100, 4);
     config.key_slice_interval = interval;
     Block block(FractionSliceEncoder<uint8_t>::minimum_bytes(config));
@@ -121,6 +123,10 @@ TEST_CASE("rows that are skipped have no fractions, nor have the edges to them")
     const ReceivedRows received = decode_slices(line.bytes, volume.size, 0, true, 1, 4);
     CHECK(received.report.is_complete());
     CHECK(have_fractions(received.rows, volume, 100, 4));
+  };
+  for (const uint32_t interval : {0U, 2U}) {
+    check({35, 7, 9}, interval);
+    check({6, 71, 3}, interval);
   }
 }
 
@@ -227,6 +233,8 @@ TEST_CASE("only 2 and 4 levels start, with memory and an output") {
         Status::too_little_memory);
   CHECK(encoder.push(memory.data(), 1).status == Status::not_started);
   CHECK(encoder.start(config, {memory.data(), least}, line.output()) == Status::ok);
+  CHECK(encoder.start(config, memory_of(memory), line.output()) == Status::ok);
+  CHECK(encoder.bytes_used() <= least);
   config.limits.width = 0;
   CHECK(encoder.start(config, memory_of(memory), line.output()) == Status::bad_limits);
 }
