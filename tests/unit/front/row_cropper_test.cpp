@@ -38,6 +38,8 @@ std::vector<uint8_t> picked_bits(const RowCropper& cropper, const uint8_t* on, u
 void check(const CropRange& x, const CropRange& y, const CropRange& z) {
   const reference::BitVolume volume = reference::random({19, 7, 6}, 128, 1);
   RowCropper cropper;
+  REQUIRE(cropper.start({5, 9}, {}, {}, {}) == Status::ok);
+  for (uint32_t row = 0; row < 4; ++row) CHECK(cropper.next());  // another scan, broken off
   REQUIRE(cropper.start({19, 7, Border::open}, x, y, z) == Status::ok);
   const Limits limits = cropper.limits();
   CHECK(limits.width == counted(x, 19));
