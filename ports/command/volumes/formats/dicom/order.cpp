@@ -81,7 +81,7 @@ void order_without_positions(const Path& source, VolumeInfo& info, Frames& stack
   }
 }
 
-// Whether two frames do.
+// Whether two frames have one position.
 bool have_one_place(const Frames& stack) {
   std::set<Vector> positions;
   for (const DicomFrame& frame : stack)
