@@ -64,10 +64,10 @@ class BasicExtractor {
   /// threshold: a voxel is on if its sample is >= threshold. memory: at least
   /// minimum_bytes(limits), at any alignment; Owner: the caller, for as long as the scan lasts.
   /// Status::suspended: the scan has begun, but the sink is busy. Errors: bad_limits (also for
-  /// limits that Features excludes), too_little_memory, bad_sink (no function, or a sink that has
-  /// not started, like an encoder before its start()). After an error the memory is untouched;
-  /// after too_little_memory, or if the sink has not started, the previous scan has ended. Cost:
-  /// clears about 150 words and one row of bits.
+  /// an open border or a slab in a lean extractor), too_little_memory, bad_sink (no function, or a
+  /// sink that has not started). After an error the memory is untouched; after too_little_memory,
+  /// or if the sink has not started, the previous scan has ended. Cost: clears about 150 words and
+  /// one row of bits.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities(limits, memory.bytes), threshold, memory, sink);
@@ -118,7 +118,7 @@ class BasicExtractor {
   [[nodiscard]] Status finish();
 
   /// Ends the scan anywhere: the rest of the slice counts as off, so with Border::closed the
-  /// surface is closed. The `finish` event has `abandoned` set. Errors: not_started.
+  /// surface is closed. The `finish` event has `is_abandoned` set. Errors: not_started.
   /// Status::suspended: as finish().
   [[nodiscard]] Status abandon();
 
@@ -200,7 +200,7 @@ class BasicExtractor {
 
   // The members that the sweep uses come first, within reach of short instructions.
   State state_ = State::idle;
-  bool abandoned_ = false;
+  bool is_abandoned_ = false;
   Due due_ = Due::nothing;
   Border border_ = Border::closed;
   bool continues_below_ = false;  // of the slab

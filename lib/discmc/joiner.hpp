@@ -206,7 +206,7 @@ class Joiner {
   // The sum of the `finish` events.
   bool has_start_ = false;
   bool has_finish_ = false;
-  bool was_abandoned_ = false;
+  bool is_abandoned_ = false;
   uint32_t slices_ = 0;
   Statistics totals_{};
 };

@@ -187,7 +187,7 @@ TEST_CASE("outlines follow the polygons and not their triangles, in either shade
     PictureOptions options = from_above(64);
     options.shading = shading;
     const Picture plain = draw(mesh, options);
-    options.outlines = true;
+    options.draws_outlines = true;
     const Picture lined = draw(mesh, options);
     int darker = 0;
     for (int x = 0; x < 64; ++x) {

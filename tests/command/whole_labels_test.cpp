@@ -71,7 +71,7 @@ TEST_CASE("values that are no labels are refused with their slice") {
   refused({std::numeric_limits<float>::infinity()}, "the value inf");
 }
 
-TEST_CASE("integers are unchanged") {
+TEST_CASE("integer samples are kept as labels unchanged") {
   for (const auto& [called, type] : discmc::command::sample_types) {
     if (discmc::meshing::is_floating(type)) continue;
     const Read read = read_labels(stored(type), {RawLayout{{5, 3, 4}, type}});

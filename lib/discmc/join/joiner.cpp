@@ -142,7 +142,7 @@ bool Joiner::process_start(const Event& event) {
 bool Joiner::process_finish(const Event& event) {
   if (order_ == InputOrder::any || !has_finish_) {
     has_finish_ = true;
-    was_abandoned_ = was_abandoned_ || event.is_abandoned;
+    is_abandoned_ = is_abandoned_ || event.is_abandoned;
     slices_ += event.slice;
     if (event.statistics != nullptr) add_totals(totals_, *event.statistics);
   }
@@ -350,7 +350,7 @@ bool Joiner::send_finish() {
   Event event{};
   event.kind = Event::Kind::finish;
   event.slice = slices_;
-  event.is_abandoned = was_abandoned_;
+  event.is_abandoned = is_abandoned_;
   event.statistics = &totals;
   has_finish_ = !offer(event);
   return !has_finish_;

@@ -78,7 +78,7 @@ DISCMC_NOINLINE void BasicExtractor<Index, Intake, Sweep>::clear() {
   sweep_.clear();
   statistics_ = Statistics{};
   state_ = State::scanning;
-  abandoned_ = false;
+  is_abandoned_ = false;
   due_ = Due::nothing;
   swept_rows_ = 0;
 }
@@ -157,7 +157,7 @@ template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::abandon() {
   if (state_ == State::scanning) {
     state_ = State::finishing;
-    abandoned_ = true;
+    is_abandoned_ = true;
   }
   return resume();
 }
@@ -332,7 +332,7 @@ bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
   event.slice = bits_.slices() + first_slice() - below;
   event.row = bits_.rows() - 1;
   event.is_repeated = due_ == Due::repeated_row;
-  event.is_abandoned = abandoned_;
+  event.is_abandoned = is_abandoned_;
   event.statistics = &statistics_;
   if (kind == Event::Kind::finish) event.slice = own_slices();
   return sink_.accept(sink_.context, event) == SinkResult::accepted;

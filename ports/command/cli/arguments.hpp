@@ -88,7 +88,7 @@ struct ExtractArguments {
   std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;
   SurfaceKind surface = SurfaceKind::merged;
-  bool quiet = false;
+  bool is_quiet = false;
 
   bool interpolates() const { return surface == SurfaceKind::interpolated; }
 };
@@ -128,7 +128,7 @@ struct JoinArguments {
   std::vector<std::string> streams;
   std::string output;
   std::uint64_t memory = std::uint64_t{1} << 30;  ///< what outgrows it goes to a temporary file
-  bool quiet = false;
+  bool is_quiet = false;
 };
 
 /// What an input with a surface is.
@@ -151,7 +151,7 @@ struct RenderArguments {
   double zoom = 1;
   std::vector<double> at;
   bool smooth = false;
-  bool outlines = false;
+  bool draws_outlines = false;
 };
 
 /// The arguments of `view`.

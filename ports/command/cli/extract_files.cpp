@@ -147,7 +147,7 @@ std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
                         arguments_.normals == Normals::none && !arguments_.lists_bodies;
   if (!is_plain || (format != Format::stl && format != Format::ply) || !file.can_seek())
     return std::nullopt;
-  const MeshParts parts(output.surface, options_of(arguments_, output), !arguments_.quiet,
+  const MeshParts parts(output.surface, options_of(arguments_, output), !arguments_.is_quiet,
                         [&](FileMesh& part) {
                           place_in_file(part, placement_, arguments_.size);
                           part.colour = output.selection.colour;
@@ -160,7 +160,7 @@ std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
   note_left_out(output.title, output.surface, totals.left_out);
   file.commit();
   MeshSummary summary{name_of_faces(), totals.faces, parts.vertex_count()};
-  if (!arguments_.quiet) summary.is_closed = totals.edge_sum == 0;
+  if (!arguments_.is_quiet) summary.is_closed = totals.edge_sum == 0;
   return summary;
 }
 
@@ -177,7 +177,7 @@ void MeshFiles::finish() {
     write_meshes(pointers_to(meshes_), format_of(arguments_.output), out);
   });
   file_->commit();
-  if (!arguments_.quiet) print_file(arguments_.output, table_stream(arguments_.output));
+  if (!arguments_.is_quiet) print_file(arguments_.output, table_stream(arguments_.output));
 }
 
 // One, or one for each body.
@@ -217,9 +217,9 @@ MeshSummary MeshFiles::summary_of(const std::vector<FileMesh>& meshes) const {
   for (const FileMesh& mesh : meshes) {
     summary.face_count += mesh.face_count();
     summary.vertex_count += mesh.vertices_mm.size();
-    is_closed = is_closed && (arguments_.quiet || is_closed_in(arguments_.output, mesh));
+    is_closed = is_closed && (arguments_.is_quiet || is_closed_in(arguments_.output, mesh));
   }
-  if (!arguments_.quiet) summary.is_closed = is_closed;
+  if (!arguments_.is_quiet) summary.is_closed = is_closed;
   return summary;
 }
 

@@ -252,7 +252,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   for (const FoundLabel& each : labels) selections.push_back(each.name);
   const std::vector<std::string> names = files.names_for(selections);
   std::ostream& table = table_stream(arguments.output);
-  if (!arguments.quiet)
+  if (!arguments.is_quiet)
     table << "   label        voxels       faces  " << (files.are_one() ? "name" : "file") << '\n';
   bool has_mesh = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -269,7 +269,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     const MeshSummary mesh = files.add({label.surface, selections[i], names[i], titled,
                                         moves ? &labels[i].crossings->crossings() : nullptr});
     has_mesh = true;
-    if (!arguments.quiet)
+    if (!arguments.is_quiet)
       print_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i], table);
   }
   if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
@@ -277,7 +277,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
         volume + ": no label has a surface left, so " + output_for_people(arguments.output) +
         " is not written; check --median, --mask and --min-volume, or give --allow-empty");
   files.finish();
-  if (!arguments.quiet) require_written(table);
+  if (!arguments.is_quiet) require_written(table);
   return exit_ok;
 }
 

@@ -74,7 +74,7 @@ int extract_meshes(ExtractArguments arguments) {
                                         relaxed                    ? &*relaxed
                                         : arguments.interpolates() ? &finders[i].crossings()
                                                                    : nullptr});
-    if (arguments.quiet) continue;
+    if (arguments.is_quiet) continue;
     if (files.are_one())
       table << selections[i].name << '\n';
     else
@@ -82,7 +82,7 @@ int extract_meshes(ExtractArguments arguments) {
     print_mesh_table(mesh, extractions[i], table);
   }
   files.finish();
-  if (!arguments.quiet) require_written(table);
+  if (!arguments.is_quiet) require_written(table);
   return exit_ok;
 }
 

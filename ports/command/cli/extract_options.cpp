@@ -215,8 +215,9 @@ void check_jobs(const ExtractArguments& arguments, const CLI::Option& surface) {
 // the mesh can hold that. A decimated one chooses among all crossings.
 void choose_surface(ExtractArguments& arguments, const CLI::App& app) {
   const Format format = format_of(arguments.output);
-  const bool is_triangles = arguments.mesh.faces == Faces::triangles && arguments.mesh.conforming &&
-                            format != Format::stream && format != Format::jsonl;
+  const bool is_triangles = arguments.mesh.faces == Faces::triangles &&
+                            arguments.mesh.is_conforming && format != Format::stream &&
+                            format != Format::jsonl;
   const bool is_decimated = arguments.decimation.is_wanted();
   const bool has_samples = arguments.reading.median == 0 && arguments.reading.close_mm == 0 &&
                            arguments.labels.empty() && !arguments.reading.selects_labels();
@@ -340,7 +341,7 @@ Command add_extract(CLI::App& app) {
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   add_format_option(*extract, arguments->format);
-  extract->add_flag("-q,--quiet", arguments->quiet, "do not print the table of results");
+  extract->add_flag("-q,--quiet", arguments->is_quiet, "do not print the table of results");
   add_volume_options(*extract, arguments->reading.options);
   add_surface_options(*extract, arguments->reading);
   for (const char* option : {"--iso", "--range", "--label"})

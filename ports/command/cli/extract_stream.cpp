@@ -144,7 +144,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   options.jobs = arguments.jobs;
   // A slab in parts is faster to join.
   if (options.slab && is_divisible(arguments)) options.jobs = arguments.jobs.value_or(1);
-  options.measures_memory = !arguments.quiet && !options.jobs;
+  options.measures_memory = !arguments.is_quiet && !options.jobs;
   std::unique_ptr<SliceReader> narrow;
   if (options.normals && !is_scanner_type(info.type)) {
     require_one_surface(arguments.reading, info);
@@ -155,7 +155,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
 
   ExtractedStream stream;
   stream.receivers =
-      receivers_for(selections, arguments.quiet ? std::nullopt : std::optional(Kept::counts));
+      receivers_for(selections, arguments.is_quiet ? std::nullopt : std::optional(Kept::counts));
   SliceWriter slices;
   SharedOutput link;
   if (arguments.wire == Wire::slices) {
@@ -195,7 +195,7 @@ int extract_stream(ExtractArguments arguments) {
   OutputFile file(arguments.output);
   const ExtractedStream stream = write_stream(arguments, file.stream());
   file.commit();
-  if (arguments.quiet) return exit_ok;
+  if (arguments.is_quiet) return exit_ok;
   std::ostream& out = table_stream(arguments.output);
   print_file(arguments.output, out);
   for (std::size_t i = 0; i < stream.receivers.size(); ++i) {

@@ -169,7 +169,7 @@ int run_join(const JoinArguments& arguments) {
                       " loose fragments have no partner; join the slabs of these slices, too");
     code = exit_incomplete;
   }
-  if (arguments.quiet) return code;
+  if (arguments.is_quiet) return code;
   std::ostream& out = table_stream(arguments.output);
   print_file(arguments.output, out);
   out << join.regions() << " polygons\n";

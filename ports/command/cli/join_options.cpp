@@ -23,7 +23,7 @@ Command add_join(CLI::App& app) {
   add_memory_option(*join, arguments->memory,
                     "bytes for waiting fragments, with K, M or G for 1024, 1024^2 and 1024^3 "
                     "(default: 1G). The rest goes to a temporary file in the folder TMPDIR");
-  join->add_flag("-q,--quiet", arguments->quiet, "do not print the table of results");
+  join->add_flag("-q,--quiet", arguments->is_quiet, "do not print the table of results");
   join->footer(
       "Examples:\n"
       "  for k in 1 2 3 4; do discmc extract v.nrrd --iso 300 --slab $k/4 -o part$k.dmc & done; "

@@ -122,7 +122,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
   options.zoom = arguments.zoom;
   if (!arguments.at.empty()) options.at = {arguments.at[0], arguments.at[1], arguments.at[2]};
   options.shading = arguments.smooth ? Shading::smooth : Shading::flat;
-  options.outlines = arguments.outlines;
+  options.draws_outlines = arguments.draws_outlines;
   return options;
 }
 

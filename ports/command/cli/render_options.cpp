@@ -67,7 +67,7 @@ void add_picture_options(CLI::App& app, RenderArguments& arguments) {
   add_named_option(app, "--shade", arguments.smooth,
                    NamedValues<bool>{{"flat", false}, {"smooth", true}},
                    "flat: every face in one colour; smooth: by the normals of vertices");
-  app.add_flag("--edges", arguments.outlines, "draw the outlines of the merged polygons");
+  app.add_flag("--edges", arguments.draws_outlines, "draw the outlines of the merged polygons");
 }
 
 void add_classic_option(CLI::App& app, bool& classic) {

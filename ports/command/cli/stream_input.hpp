@@ -26,7 +26,7 @@ void read_file(const std::string& path, StreamReader& reader);
 /// Prints the other surfaces if there are several and none was chosen.
 void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader);
 
-/// Throws where there are several surfaces, in what takes one.
+/// Throws if the stream has several surfaces and none was chosen, for commands that take one.
 void require_one_surface(const std::string& path, const StreamReader& reader);
 
 /// The surface of a stream, and its properties.

@@ -113,7 +113,7 @@ NamedBytes stream_of_threshold(const ViewArguments& arguments) {
   extraction.reading = arguments.reading;
   extraction.reading.selections = with_thresholds(arguments.input, arguments.reading);
   extraction.wire = Wire::slices;
-  extraction.quiet = true;
+  extraction.is_quiet = true;
   std::ostringstream bytes;
   write_stream(extraction, bytes);
   const std::string& threshold = extraction.reading.selections[0].name;

@@ -28,11 +28,11 @@ void require_short_faces(const FileMesh& mesh) {
 // Equally long for every number of faces: that of MeshParts is known last.
 std::string ply_header(const FileMesh& mesh, bool takes_floats, std::size_t vertices,
                        std::uint64_t faces) {
-  constexpr std::size_t most_digits = 20;
+  constexpr std::size_t max_digits = 20;
   const std::string property = takes_floats ? "\nproperty float " : "\nproperty double ";
   const std::string count = decimal(faces);
   std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + header_text(mesh) +
-                       std::string(most_digits - count.size(), ' ') + "\nelement vertex " +
+                       std::string(max_digits - count.size(), ' ') + "\nelement vertex " +
                        decimal(vertices);
   for (const char* axis : {"x", "y", "z"}) header += property + axis;
   if (!mesh.normals.empty()) header += "\nproperty float nx\nproperty float ny\nproperty float nz";

@@ -60,8 +60,8 @@ HttpRequest parse_request(std::string_view head) {
 }
 
 HttpConnection::HttpConnection(int socket) : socket_(socket) {
-  constexpr timeval longest_wait{60, 0};
-  setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &longest_wait, sizeof longest_wait);
+  constexpr timeval max_wait{60, 0};
+  setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &max_wait, sizeof max_wait);
   const int yes = 1;
   setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
 }

@@ -240,7 +240,7 @@ Picture develop(const Canvas& canvas, const FaceMesh& mesh, Shader& shader,
           picture.shows_mesh = true;
           colour = shader.colour(sample.face, sample.is_inside, x + 0.5, y + 0.5);
         }
-        const bool is_dark = options.outlines && outlines.pass(x, y);
+        const bool is_dark = options.draws_outlines && outlines.pass(x, y);
         for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c] * (is_dark ? outline_light : 1);
       }
       for (const float light : sum) {

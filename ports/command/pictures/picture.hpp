@@ -31,7 +31,7 @@ struct PictureOptions {
   double zoom = 1;          ///< 1 fills the picture; more is nearer. Limit: 1e-3 to 1e3
   std::optional<Point> at;  ///< in the middle of the picture; without it all of the mesh is
   Shading shading = Shading::flat;
-  bool outlines = false;             ///< thin dark lines around the merged polygons
+  bool draws_outlines = false;       ///< thin dark lines around the merged polygons
   Srgb colour = {224, 186, 146};     ///< of the surface
   std::vector<Srgb> face_colours{};  ///< one per face in place of it, or none
 };

@@ -72,9 +72,9 @@ std::optional<double> padding_value(const VolumeStatistics& statistics) {
   });
   if (padding != counts.end()) return padding->value;
   // Units: Hounsfield, of what may be air and is not; none beyond is a number that CT writes.
-  constexpr double max_air = -500, min_air = -1024, least_ever = -4096, max_padding = -1000;
+  constexpr double max_air = -500, min_air = -1024, min_value = -4096, max_padding = -1000;
   constexpr double min_bone = 300, gap = 200, share = 0.05;
-  if (counts.size() < 3 || counts[0].value > max_padding || counts[0].value < least_ever ||
+  if (counts.size() < 3 || counts[0].value > max_padding || counts[0].value < min_value ||
       counts.back().value < min_bone)
     return std::nullopt;
   if (counts[0].value < min_air && counts[1].value - counts[0].value >= gap) return counts[0].value;

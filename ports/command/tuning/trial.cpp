@@ -41,7 +41,7 @@ void push_all(Scanner& scanner, const VolumeBits& volume, Call call) {
 std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume,
                                           const SliceEncoderConfig& config) {
   const auto bytes = SliceEncoder::minimum_bytes(config);
-  const auto memory = untouched(bytes);
+  const auto memory = uninitialised(bytes);
   SliceSteps steps;
   steps.start(config.limits, config.key_slice_interval, {memory.get(), bytes});
   std::vector<std::uint64_t> counts;
@@ -72,7 +72,7 @@ std::uint64_t bytes_of_slots(const Limits& limits, std::uint32_t slots) {
 template <class Index>
 Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
   const auto bytes = Extractor<Index>::bytes_for(volume.limits(), capacities);
-  const auto memory = untouched(bytes);
+  const auto memory = uninitialised(bytes);
   Encoder encoder;
   require(encoder.start(volume.header().label(), nowhere));
   Extractor<Index> extractor;
@@ -108,7 +108,7 @@ Trial try_slices(const VolumeBits& volume, std::uint32_t key_slice_interval) {
       volume.limits(), {header.thresholds[0]}, key_slice_interval, 1, header.label()};
   Trial trial;
   trial.memory = SliceEncoder::minimum_bytes(config);
-  const auto memory = untouched(trial.memory);
+  const auto memory = uninitialised(trial.memory);
   SliceEncoder encoder;
   require(encoder.start(config, {memory.get(), trial.memory}, nowhere));
   const std::vector<std::uint64_t> steps = steps_by_slice(volume, config);

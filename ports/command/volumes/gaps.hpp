@@ -10,7 +10,7 @@
 
 namespace discmc::command {
 
-/// More than that are no more of a gap.
+/// The most slices that a gap may miss.
 constexpr std::uint64_t max_missing = 1000000000;
 
 /// A place where slices are missing.
@@ -31,7 +31,8 @@ std::uint64_t missing_slices(const std::vector<Gap>& gaps);
 std::string note_of_filling(const std::filesystem::path& source, const std::vector<Gap>& gaps,
                             std::size_t slices, bool is_allowed, const std::string& remedy);
 
-/// Puts the nearest slice in the place of each that is missing, of two the one before it.
+/// Puts the nearest slice in the place of each that is missing: the earlier one if two are equally
+/// near.
 template <class Slice>
 void fill_gaps(std::vector<Slice>& stack, const std::vector<Gap>& gaps) {
   std::vector<Slice> filled;

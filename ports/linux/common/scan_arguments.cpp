@@ -70,7 +70,7 @@ void add_scan_options(CLI::App& command, ScanArguments& arguments) {
                              "bytes of the arena, with K or M for 1024 and 1024^2 (default: 16M)");
   command.add_option("-o,--output", arguments.output,
                      "the stream to write (.dmc); - is standard output (default)");
-  command.add_flag("-q,--quiet", arguments.quiet, "do not print the report");
+  command.add_flag("-q,--quiet", arguments.is_quiet, "do not print the report");
   command.callback([&arguments] {
     const std::string refusal = refusal_of(arguments.plan);
     if (!refusal.empty()) throw CLI::ValidationError("--dims", refusal);

@@ -22,7 +22,7 @@ constexpr const char* exit_codes =
 struct ScanArguments {
   ScanPlan plan;
   std::string output = "-";
-  bool quiet = false;
+  bool is_quiet = false;
 };
 
 /// Adds the options to a command; the arguments must outlive the parsing.

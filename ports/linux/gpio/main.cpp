@@ -77,7 +77,7 @@ int run(const Arguments& arguments) {
   StreamTarget target(wanted.output);
   RowScan scan(wanted.plan, target.output());
   TriggeredScan triggered(scan, *source, wanted.plan.row_bytes(), !arguments.wiring.button.empty());
-  if (!wanted.quiet) std::cerr << "discmc-gpio: ready\n";
+  if (!wanted.is_quiet) std::cerr << "discmc-gpio: ready\n";
   bool is_gone = false;
   try {
     follow(lines, triggered, scan, target);
@@ -89,7 +89,7 @@ int run(const Arguments& arguments) {
     scan.abandon();
   }
   target.flush();
-  if (!wanted.quiet) {
+  if (!wanted.is_quiet) {
     triggered.report(std::cerr);
     scan.report(std::cerr);
   }

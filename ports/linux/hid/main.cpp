@@ -122,7 +122,7 @@ int run_scan(const Arguments& arguments) {
         send(device, Report::Kind::stop);
       });
 
-  if (!wanted.quiet) {
+  if (!wanted.is_quiet) {
     assembler.report(std::cerr);
     scan.report(std::cerr);
   }

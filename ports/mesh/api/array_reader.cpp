@@ -37,7 +37,7 @@ AxisOrder axis_order(const Samples& samples) {
   AxisOrder order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
-  // The longest is swept slice by slice, if a slice has no room for it.
+  // An axis longer than max_across becomes the z axis of the sweep.
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (extents[order[axis]] > max_across) std::swap(order[axis], order[2]);
   return order;

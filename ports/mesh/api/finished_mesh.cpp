@@ -128,7 +128,7 @@ SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
   }
   const auto& origin = all.origin_mm;
   if (!std::all_of(origin.begin(), origin.end(),
-                   [](double at) { return std::fabs(at) <= farthest_origin_mm; }))
+                   [](double at) { return std::fabs(at) <= max_origin_mm; }))
     refuse("the origin of the placement is " + text_of(origin) +
            "; give coordinates of -1e9 to 1e9");
   if (!is_usable(all))

@@ -19,8 +19,8 @@ namespace discmc::meshing {
 /// Calls MeshOptions::progress. Throws Cancelled.
 void report(const MeshOptions& options, const char* step, std::uint64_t done, std::uint64_t all);
 
-/// report() of what is done, for a step that several threads take: does nothing in another thread
-/// than this one.
+/// Returns a function that calls report() with what is done, for a step of several threads. In
+/// other threads than this one it does nothing.
 std::function<void(std::uint64_t)> reporter_here(const MeshOptions& options, const char* step,
                                                  std::uint64_t all);
 

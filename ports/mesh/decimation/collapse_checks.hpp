@@ -7,8 +7,8 @@
 
 namespace discmc::meshing {
 
-/// Whether no triangle turns over, and none gets an angle below 5 degrees unless one had a smaller
-/// one.
+/// Whether no triangle turns over, and no angle falls below 5 degrees, unless one was smaller
+/// before.
 bool keeps_shape(const Collapse& collapse, const CollapsingMesh& mesh);
 
 /// Whether no triangle that moves goes through another, and no other body gets from one side of the

@@ -132,7 +132,7 @@ void DecimationStep::carry_out() {
   placing_.update(kept);
   for (const std::uint32_t other : ring_) placing_.update(other);
   for (const std::uint32_t other : ring_) add(kept, other);
-  // What was refused may be allowed now.
+  // Edges that were refused may be collapsible now.
   for (const std::uint32_t other : ring_) {
     if (!is_refused_[other]) continue;
     is_refused_[other] = false;

@@ -42,7 +42,7 @@ Vertex corner_at(const Vertex& centroid, unsigned corner) {
 
 }  // namespace
 
-// Finds them axis by axis.
+// Finds the crossings of one axis after another.
 class Crossings::OfPolygons {
  public:
   OfPolygons(Crossings& crossings, const Polygons& polygons)
@@ -240,10 +240,10 @@ Point Crossings::in_volume(const Vertex& vertex) const {
   return mean;
 }
 
-// What is on, and the samples, of one slice after the other.
+// The bits that are on and the samples, of one slice after the other.
 class CrossingFinder::Slices {
  public:
-  // The slices are counted as they come.
+  // Slices are numbered in the order in which they come.
   Slices(const SampleGrid& info, const Vertex& first)
       : crossings_({info.dims[0], info.dims[1], 0}, first) {}
   Slices(const Slices&) = delete;

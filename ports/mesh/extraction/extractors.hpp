@@ -49,8 +49,8 @@ struct SampleOf<NormalExtractor<Index, Sample>> {
 template <class AnyExtractor>
 constexpr bool holds_samples = !std::is_void_v<typename SampleOf<AnyExtractor>::Type>;
 
-/// Left as it comes: what is never used costs nothing.
-inline std::unique_ptr<std::uint8_t[]> untouched(std::uint64_t bytes) {
+/// Memory without first values: pages that are never written take none of the machine.
+inline std::unique_ptr<std::uint8_t[]> uninitialised(std::uint64_t bytes) {
   return std::unique_ptr<std::uint8_t[]>(new std::uint8_t[bytes]);
 }
 
@@ -65,7 +65,7 @@ template <class AnyExtractor>
 class Extractors {
  public:
   Extractors(const ArenaSize& arena, std::size_t surfaces) : arena_(arena), extractors_(surfaces) {
-    for (std::size_t i = 0; i < surfaces; ++i) memory_.push_back(untouched(arena.bytes));
+    for (std::size_t i = 0; i < surfaces; ++i) memory_.push_back(uninitialised(arena.bytes));
   }
 
   /// Extracts as many surfaces of a volume. limits: with the slab that the spans are of.
@@ -104,9 +104,9 @@ class Extractors {
 
   const ArenaSize& arena() const { return arena_; }
 
-  /// Whether no fragment had to go out for lack of memory; when in doubt false. Limit: a sink
-  /// that takes fragments.
-  bool had_enough() const {
+  /// Whether memory sufficed, so that no fragment was sent early; when in doubt false. Limit: a
+  /// sink that takes fragments.
+  bool had_enough_memory() const {
     // More than any extractor keeps from being used. Without nodes, other pieces go out at seams.
     constexpr std::uint64_t reserve = 4096;
     if (std::is_same_v<AnyExtractor, HostExtractor> &&

@@ -27,7 +27,7 @@ class MaskBits {
   std::vector<std::uint8_t> slice_, bits_;
 };
 
-/// Puts off the bits that are off in the mask.
+/// Clears the bits that are off in the mask.
 template <class Mask>
 void keep_masked(std::uint8_t* bits, Mask mask, std::size_t bytes) {
   for (std::size_t i = 0; i < bytes; ++i, ++mask)

@@ -247,7 +247,7 @@ class Parts {
     if (!extractors) extractors = new_extractors(first_arena_bytes());
     for (;;) {
       extract(part, *extractors);
-      if (extractors->had_enough()) break;
+      if (extractors->had_enough_memory()) break;
       extractors = new_extractors(4 * extractors->arena().bytes);
     }
     idle_.give(std::move(extractors));

@@ -1,4 +1,4 @@
-// An extractor for hosts, which takes half of the instructions.
+// An extractor for hosts, which takes half of the instructions of Extractor32.
 //
 //   static HostExtractor extractor;
 //   extractor.start(limits, threshold, memory, sink);  // as any extractor, with 2 MiB to spare

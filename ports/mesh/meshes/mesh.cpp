@@ -14,7 +14,7 @@ FaceMesh build_mesh(const Surface& surface, const MeshingOptions& options) {
   for (const double spacing : surface.spacing_mm)
     if (spacing == 0 || !std::isfinite(spacing))
       throw std::invalid_argument("the spacing is zero or not finite");
-  const bool are_conforming_triangles = options.conforming && options.faces == Faces::triangles;
+  const bool are_conforming_triangles = options.is_conforming && options.faces == Faces::triangles;
   if (options.crossings != nullptr && !are_conforming_triangles)
     throw std::invalid_argument("an interpolated mesh is one of conforming triangles");
   VertexNumbers vertices(surface.polygons);

@@ -25,7 +25,7 @@ enum class Faces {
 struct MeshingOptions {
   /// Keep the vertices on straight sides where boundary links of other polygons end. The mesh then
   /// has no T-junctions. Without them it is smaller and only looks closed.
-  bool conforming = true;
+  bool is_conforming = true;
   Faces faces = Faces::polygons;
   /// Moves the vertices to where the samples cross the threshold: Crossings::interpolated(). Faces
   /// then go through each other only where the interpolated surface does so itself. Limit:

@@ -20,7 +20,7 @@ class PlaneFaces {
       : surface_(surface),
         faces_(options.faces),
         is_mirrored_(is_mirrored(surface.spacing_mm)),
-        outline_(vertices, options.conforming) {}
+        outline_(vertices, options.is_conforming) {}
 
   /// Makes the faces of a block of polygons. mesh: gets them in place of its own, over the numbers
   /// of all vertices; its vertices stay.

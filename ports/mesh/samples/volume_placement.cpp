@@ -28,7 +28,7 @@ bool is_usable(const Axes& axes_mm) {
 bool is_usable(const VolumePlacement& placement) {
   return is_usable(placement.axes_mm) &&
          std::all_of(placement.origin_mm.begin(), placement.origin_mm.end(),
-                     [](double at) { return std::fabs(at) <= farthest_origin_mm; });
+                     [](double at) { return std::fabs(at) <= max_origin_mm; });
 }
 
 VolumePlacement in_space(VolumePlacement placement, Space space) {
@@ -44,13 +44,13 @@ VolumePlacement in_space(VolumePlacement placement, Space space) {
 }
 
 Placement in_nanometres(const VolumePlacement& placement) {
-  constexpr double longest_mm = 2147;
+  constexpr double max_length_mm = 2147;
   Placement rounded;
   rounded.space = placement.space;
   for (std::size_t i = 0; i < 3; ++i) {
     rounded.origin_nm[i] = std::llround(placement.origin_mm[i] * 1e6);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (std::fabs(placement.axes_mm[axis][i]) > longest_mm)
+      if (std::fabs(placement.axes_mm[axis][i]) > max_length_mm)
         throw std::invalid_argument(
             "voxels are more than 2147 mm apart, the limit of a stream; give a smaller spacing");
       rounded.axes_nm[axis][i] =

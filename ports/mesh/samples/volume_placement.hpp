@@ -12,7 +12,7 @@ namespace discmc::meshing {
 constexpr double min_spacing_mm = 1e-6;
 constexpr double max_spacing_mm = 1e6;
 /// The limit of the coordinates of an origin.
-constexpr double farthest_origin_mm = 1e9;
+constexpr double max_origin_mm = 1e9;
 
 /// One vector an axis of the volume: the way to the next voxel along x, y and z.
 using Axes = std::array<std::array<double, 3>, 3>;

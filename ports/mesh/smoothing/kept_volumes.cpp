@@ -48,13 +48,14 @@ struct Piece {
   std::vector<Triangle> faces{};
 };
 
-// What can move between a piece and a rival, or no_piece.
+// The wall between a piece and a rival, through which volume can move. rival: no_piece if there is
+// none.
 struct Wall {
   std::uint32_t rival;
   double area_mm2;  // by which their volumes change with the difference of their shifts
 };
 
-// Where an edge ends that is off.
+// The voxel of an edge that is off. middle: of the edge.
 Vertex off_voxel(const Vertex& middle, Place place, bool falls) {
   std::array<std::int32_t, 3> at = {middle.x, middle.y, middle.z};
   at[place.axis] += falls ? 1 : -1;
@@ -155,7 +156,7 @@ class VolumeKeeper {
     for (const Piece::Edge& edge : piece.edges) crossings.move(edge.place, at(piece, edge));
   }
 
-  // The crossing of an edge, as Crossings::at(), with the shifts of now.
+  // The crossing of an edge, as Crossings::at(), with the current shifts.
   float at(const Piece& piece, const Piece::Edge& edge) const {
     const auto least = static_cast<float>(keeping_.min_distance_mm);
     const double rival = edge.rival == no_piece ? 0 : pieces_[edge.rival].shift_mm;
@@ -219,7 +220,7 @@ class VolumeKeeper {
     for (const Piece::Edge& edge : piece.edges) edge_at(edge.place) = no_edge;
   }
 
-  // With the shift of now, how much the piece encloses.
+  // The volume that the piece encloses at its current shift.
   double enclosed_mm3(const Piece& piece) {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
@@ -299,9 +300,9 @@ class VolumeKeeper {
     return std::fabs(excess_mm3) <= accuracy * std::fabs(piece.volume_mm3);
   }
 
-  // Pieces that touch can enclose no more than if all grow: what one gains from another the other
-  // loses. If that is less than wanted, as where labels fill the volume to its corners, each gets
-  // the same share of its own. Returns whether any did.
+  // Touching pieces cannot all grow: what one gains another loses. If their volumes do not fit, as
+  // where labels fill the volume to its corners, each gets the same share of its own. Returns
+  // whether any was reduced.
   bool share_shortage() {
     Sets touching(pieces_.size());
     for (std::uint32_t i = 0; i < pieces_.size(); ++i)

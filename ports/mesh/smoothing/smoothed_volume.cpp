@@ -35,7 +35,7 @@ VolumeKeeping SmoothedVolume::keeping(const SampleGrid& info, double deviation_m
   return keeping;
 }
 
-// One more, whose distance is the limit as that of all beyond.
+// One voxel more than the kernel: its distance is the limit, as for all voxels beyond.
 std::array<std::uint32_t, 3> SmoothedVolume::reach(const SampleGrid& info, double deviation_mm) {
   auto voxels = meshing::reach(grid_of(info), limit_mm(info, deviation_mm));
   for (std::uint32_t& each : voxels) ++each;

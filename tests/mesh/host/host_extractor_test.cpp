@@ -380,7 +380,7 @@ TEST_CASE("the scan after a handover has all the memory") {
   CHECK(totals_of(extractor, volume, enough).fragments == 0);
 }
 
-TEST_CASE("rings of any length are found after many unsuccessful walks") {
+TEST_CASE("rings of any length close, also after many walks that failed") {
   HostExtractor extractor;
   Extractor32 other;
   const auto check = [&](const BitVolume& volume) {

@@ -13,7 +13,7 @@ from programs import PROGRAMS
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
-def told_by(program, file):
+def output_of(program, file):
     """A process of its own, as it may not come back."""
     done = subprocess.run([sys.executable, f"{HERE}/programs.py", program, file],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -43,7 +43,7 @@ def main(folder, name, formats):
     with open(f"{folder}/{name}.json") as file:
         volumes = [surface["volume_mm3"] for surface in json.load(file)]
     volume = sum(volumes)
-    triangles = told_by("VTK", f"{folder}/{name}.{formats[0]}").get("triangles", 0)
+    triangles = output_of("VTK", f"{folder}/{name}.{formats[0]}").get("triangles", 0)
     print(f"{name}: {triangles:,} triangles that enclose {volume:,.0f} mm3\n")
     print("| program |", " | ".join("." + format for format in formats), "|")
     print("|---|" + "---|" * len(formats))
@@ -57,7 +57,7 @@ def main(folder, name, formats):
             file = f"{folder}/{name}.{format}"
             cell = "-"
             if format in readable:
-                cell = judged(told_by(program, file), file, triangles, volume)
+                cell = judged(output_of(program, file), file, triangles, volume)
                 is_good = is_good and cell == "ok"
             cells.append(cell)
         print("|", program, "|", " | ".join(cells), "|", flush=True)

@@ -25,7 +25,7 @@ class Failure(Exception):
     pass
 
 
-def told_by(discmc, *arguments):
+def output_of(discmc, *arguments):
     done = subprocess.run([discmc, *map(str, arguments)], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, timeout=600)
     if done.returncode != 0:
@@ -34,7 +34,7 @@ def told_by(discmc, *arguments):
 
 
 def info_of(discmc, case):
-    lines = told_by(discmc, "info", case.file, *case.options).splitlines()
+    lines = output_of(discmc, "info", case.file, *case.options).splitlines()
     return {key: value for key, _, value in (line.partition(" ") for line in lines)}
 
 
@@ -42,7 +42,7 @@ def numbers(text):
     return numpy.array([float(word) for word in text.split()])
 
 
-def place_told(info):
+def reported_place(info):
     """4 x 4, in LPS where the patient is known."""
     place = numpy.eye(4)
     for axis, key in enumerate(("axis_x", "axis_y", "axis_z")):
@@ -103,7 +103,7 @@ def check_place(case, info):
             case.values.shape, info["dimensions"])
     space = "lps" if info["space"] == "ras" else info["space"]
     require(space == case.space, "space", case.space, info["space"])
-    expected, found = (box_of(case.values.shape, place) for place in (case.place, place_told(info)))
+    expected, found = (box_of(case.values.shape, place) for place in (case.place, reported_place(info)))
     voxel = numpy.abs(numpy.linalg.det(case.place[:3, :3])) ** (1 / 3)
     apart = numpy.abs(expected - found).max()
     require(apart < 1e-4 * voxel, "box", expected.T.tolist(), found.T.tolist())
@@ -112,7 +112,7 @@ def check_place(case, info):
 def check_mesh(discmc, case, folder):
     """The body's box in space; and every vertex between two voxels that the threshold divides."""
     obj = folder / "mesh.obj"
-    told_by(discmc, "extract", case.file, *case.options, f"--iso={case.iso!r}", "-q", "-o", obj)
+    output_of(discmc, "extract", case.file, *case.options, f"--iso={case.iso!r}", "-q", "-o", obj)
     vertices = vertices_of(obj).T
     points = surface_points(case)
     expected = case.place[:3, :3] @ points.T + case.place[:3, 3:]

@@ -44,8 +44,8 @@ static bool scan(const Limits& limits, uint32_t slices,
          push_and_report<Sample>(extractor, limits, slices, sample);
 }
 
-static bool tell_slices(const Limits& limits, uint32_t slices,
-                        uint8_t (*sample)(int32_t, int32_t, int32_t)) {
+static bool print_slices(const Limits& limits, uint32_t slices,
+                         uint8_t (*sample)(int32_t, int32_t, int32_t)) {
   return slice_encoder.start({limits, {threshold}, 0, 1, {slices}}, memory_of(memory),
                              {nullptr, take_bytes}) == Status::ok &&
          push_and_report<uint8_t>(slice_encoder, limits, slices, sample);
@@ -96,8 +96,8 @@ int main() {
               scan<uint8_t>(ball, ball.width, inside_ball, no_sink);
   good = good && encoder.start({ball.width}, {nullptr, take_bytes}) == Status::ok &&
          scan<uint8_t>(ball, ball.width, inside_ball, make_sink(encoder));
-  good =
-      good && tell_slices(wide, wide_slices, outside) && tell_slices(ball, ball.width, inside_ball);
+  good = good && print_slices(wide, wide_slices, outside) &&
+         print_slices(ball, ball.width, inside_ball);
   good = good && count_normals(octahedral, 0) && count_normals(octahedral, 1) &&
          count_normals(unit, 0) && count_normals(unit, 1);
   const Statistics statistics = extractor.statistics();

@@ -63,7 +63,8 @@ bool is_option(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-';
 }
 
-// The first option that an app has not, or else the first surplus argument; empty if there is none.
+// The first option that the app does not have, or else the first surplus argument; empty if there
+// is none.
 std::string first_unknown(const CLI::App& app) {
   std::vector<std::string> unknown = app.remaining();
   unknown.erase(std::remove(unknown.begin(), unknown.end(), "--"), unknown.end());
@@ -72,7 +73,7 @@ std::string first_unknown(const CLI::App& app) {
   return option != unknown.end() ? *option : unknown.front();
 }
 
-// What other programs call an option, and what that is here: the first that the command has.
+// The name of an option in other programs, and here: the first that the command has.
 struct Synonym {
   const char* name;
   std::vector<const char*> options;
@@ -110,7 +111,7 @@ std::string unknown_option(const std::string& argument, const CLI::App& app) {
   return "'" + option + "' is not an option of " + app.get_name() + "; " + remedy;
 }
 
-// What is to be written for a file where a command was expected.
+// The commands to suggest if a file was given and no command.
 std::string lines_for_file(const std::string& file) {
   const bool is_plain = file.find_first_of(" '\"$&;()<>|*?[]\\!") == std::string::npos;
   const std::string name = is_plain ? file : "FILE";

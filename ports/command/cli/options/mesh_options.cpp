@@ -86,7 +86,7 @@ void add_mesh_options(CLI::App& app, MeshingOptions& mesh) {
       "triangles: for every program; polygons: the merged polygons, with up to " +
           std::to_string(max_face_corners) + " corners, for programs that accept concave n-gons");
   app.add_flag(
-      "--conforming,!--no-conforming", mesh.conforming,
+      "--conforming,!--no-conforming", mesh.is_conforming,
       "write a mesh without T-junctions (default), or with fewer vertices and with T-junctions");
 }
 
@@ -215,7 +215,7 @@ void check_decimation(const Decimation& decimation, const MeshingOptions& mesh,
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
     refuse(option, named(output) + " holds merged polygons, which are not decimated; write a mesh");
-  if (mesh.faces == Faces::polygons || !mesh.conforming)
+  if (mesh.faces == Faces::polygons || !mesh.is_conforming)
     refuse(option,
            "only triangles without T-junctions are decimated; leave out --faces polygons and "
            "--no-conforming");
@@ -233,7 +233,7 @@ void check_surface_kind(SurfaceKind surface, const MeshingOptions& mesh,
   if (mesh.faces == Faces::polygons)
     refuse("--faces",
            "polygons of a surface that is " + name + " are not flat; leave out --faces polygons");
-  if (!mesh.conforming)
+  if (!mesh.is_conforming)
     refuse("--no-conforming", "a surface that is " + name + " has no T-junctions; leave it out");
 }
 
