@@ -33,7 +33,7 @@ class CollapsingMesh {
  public:
   CollapsingMesh(std::vector<Point> points, std::vector<Triangle> triangles);
 
-  /// These count what is gone, too.
+  /// The numbers of vertices and triangles, those that are gone counted, too.
   std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(points_.size()); }
   std::uint32_t triangle_slots() const { return static_cast<std::uint32_t>(triangles_.size()); }
   /// Counts the triangles that are left.
@@ -89,7 +89,7 @@ class CollapsingMesh {
   enum class Kind : std::uint8_t { inner, border, fixed };
   static constexpr std::uint32_t none = ~0U;
 
-  // From one neighbour of a vertex to the next, across a triangle.
+  // The way from one neighbour of a vertex to the next, across a triangle.
   struct Spoke {
     std::uint32_t from, to;
   };

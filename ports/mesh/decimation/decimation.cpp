@@ -15,8 +15,8 @@ namespace discmc::meshing {
 namespace {
 
 constexpr double first_distance = 0.05;  // Units: the least spacing
-// From step to step of the ramp. Every distance ends at a step, so that a larger distance continues
-// the mesh of a smaller one.
+// The factor from step to step of the ramp. Every distance ends at a step, so that a larger
+// distance continues the mesh of a smaller one.
 const double ramp = std::sqrt(2.0);
 constexpr double min_part = 1e-6;  // of the extent of the mesh, if there is no spacing
 
@@ -26,7 +26,7 @@ double min_spacing(const FaceMesh& mesh) {
   return least;
 }
 
-// Beyond it a distance bounds nothing.
+// The extent of the mesh: a greater distance bounds nothing.
 double extent(const std::vector<Point>& points) {
   Point least = points[0], most = points[0];
   for (const Point& point : points)

@@ -56,14 +56,14 @@ void DecimationStep::find_blocks() {
   }
 }
 
-// In a block all edges have been tried.
+// Edges within a block have been tried with it, and are left out.
 void DecimationStep::collapse_all() {
   for (std::uint32_t vertex = 0; vertex < mesh_.vertex_slots(); ++vertex)
     if (mesh_.has_vertex(vertex)) add_edges(vertex);
   collapse_queued();
 }
 
-// Each edge from its lower vertex.
+// Adds each edge from its lower vertex.
 void DecimationStep::add_edges(std::uint32_t vertex) {
   mesh_.for_each_edge(vertex, [&](std::uint32_t other) {
     if (vertex < other && !is_settled(vertex, other)) add(vertex, other);

@@ -29,9 +29,9 @@ class DecimationStep {
   DecimationStep(const DecimatedSurface& from, const OriginalSurface& original, double distance,
                  std::uint64_t triangles, const std::function<void()>& check);
 
-  /// First in blocks of near triangles, whose costs fit into the cache, then across them.
+  /// Collapses first in blocks of near triangles, whose costs fit into the cache, then across them.
   void collapse_in_blocks();
-  /// In one order.
+  /// Collapses all edges in one order.
   void collapse_all();
 
   DecimatedSurface result();

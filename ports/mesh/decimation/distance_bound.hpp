@@ -43,7 +43,7 @@ class LeftPoints {
   /// Whether all points of the triangles of a collapse are within a distance of those that move.
   /// points: of the original surface.
   bool are_near(const Collapse& collapse, const std::vector<Point>& points, double distance);
-  /// After are_near(), for the same collapse.
+  /// Gives the points of a collapse to their triangles. Call it after are_near().
   void carry_out(const Collapse& collapse);
   /// Gives vertices and triangles the numbers of those listed.
   void renumber(const std::vector<std::uint32_t>& vertices,

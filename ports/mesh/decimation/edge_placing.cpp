@@ -23,7 +23,7 @@ double at(const Symmetric& quadric, const Point& x) {
   return dot(x, product(quadric, x));
 }
 
-// Zero if there is none.
+// The inverse, or zero if there is none.
 Symmetric inverse(const Symmetric& a) {
   Symmetric cofactors = {a[3] * a[5] - a[4] * a[4], a[2] * a[4] - a[1] * a[5],
                          a[1] * a[4] - a[2] * a[3], a[0] * a[5] - a[2] * a[2],
@@ -37,7 +37,7 @@ Point plus(const Point& a, const Point& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// What a file of 32-bit floats holds, so that what is checked is what is written.
+// The point as a file of 32-bit floats holds it, so that what is checked is what is written.
 Point rounded(const Point& point) {
   Point result;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -70,7 +70,7 @@ void EdgePlacing::update(std::uint32_t vertex) {
   sums_[vertex] = sums;
 }
 
-// Planes through the edges of the border, across its triangles.
+// Adds planes through the edges of the border, across its triangles.
 void EdgePlacing::add_border(std::uint32_t vertex, Sums& sums) const {
   mesh_.for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t place) {
     const Point area = doubled_area(mesh_.corners(triangle));

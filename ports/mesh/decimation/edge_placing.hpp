@@ -15,7 +15,7 @@ namespace discmc::meshing {
 /// The squared distances of a vertex from the planes of the triangles around both ends of an edge,
 /// weighted by area (M. Garland and P. Heckbert, 1997), are least where the vertex is placed, among
 /// all places that keep the enclosed volume (P. Lindstrom and G. Turk, 1998). The triangles are
-/// those of now; nothing is kept of earlier ones.
+/// the current ones; nothing is kept of earlier ones.
 class EdgePlacing {
  public:
   explicit EdgePlacing(const CollapsingMesh& mesh);
@@ -28,7 +28,7 @@ class EdgePlacing {
   /// goes to that end, and an edge of a border to one of its ends. So a plane border stays plane.
   std::optional<Place> place(std::uint32_t a, std::uint32_t b) const;
 
-  /// After the triangles around the vertex have changed.
+  /// Call it after the triangles around the vertex have changed.
   void update(std::uint32_t vertex);
 
  private:

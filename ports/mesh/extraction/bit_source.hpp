@@ -94,7 +94,7 @@ class BitSource {
           is_full_[i] && std::equal(full_row_.begin(), full_row_.end(), row + i * row_bytes_);
     call(row);
   }
-  // After the filters, which would put voxels beside the mask's edge on again.
+  // The mask comes after the filters, which would turn voxels beside its edge on again.
   void apply_mask(std::uint8_t* row) {
     const auto end = mask_.begin() + static_cast<std::ptrdiff_t>(row_bytes_);
     for (std::size_t i = 0; i < is_full_.size(); ++i)

@@ -178,7 +178,7 @@ std::optional<Crossings::Place> Crossings::find(const Vertex& middle) const {
                static_cast<std::uint32_t>(crossing - along_[axis].crossings.data())};
 }
 
-// From a corner inside the volume on to the others, across the edges between them.
+// Goes from a corner inside the volume to the others, across the edges between them.
 Configuration Crossings::configuration_around(const Vertex& centroid) const {
   unsigned base = 0;
   while (!is_inside(corner_at(centroid, base))) ++base;

@@ -42,9 +42,9 @@ class Crossings {
   /// first: where the volume begins in the coordinates of the vertices; Units: half-steps.
   Crossings(const std::array<std::uint32_t, 3>& dims, const Vertex& first)
       : dims_(dims), first_(first) {}
-  /// Finds those of polygons, in the middles of edges; none on edges that end outside the volume.
-  /// Throws std::length_error if the polygons span more rows of voxels than 2^26, or cross more
-  /// edges than 2^27.
+  /// Finds the crossings of polygons, in the middles of edges; none on edges that end outside the
+  /// volume. Throws std::length_error if the polygons span more rows of voxels than 2^26, or cross
+  /// more edges than 2^27.
   Crossings(const std::array<std::uint32_t, 3>& dims, const Polygons& polygons);
 
   /// The point of the interpolated surface that replaces a vertex of the merged one. The crossing
@@ -78,7 +78,7 @@ class Crossings {
           call_if_found({at[0], at[1], at[2]});
         }
   }
-  /// How many there are along an axis.
+  /// How many crossings there are along an axis.
   std::size_t count(std::size_t axis) const { return along_[axis].crossings.size(); }
   /// Whether the edge begins on, and ends off.
   bool falls(Place place) const { return along_[place.axis].crossings[place.number].falls; }
@@ -93,7 +93,7 @@ class Crossings {
                middle_of(axis, row, rows.crossings[i].x));
     }
   }
-  /// From the voxel where the edge begins. Units: half-steps.
+  /// The place of the crossing, from the voxel where its edge begins. Units: half-steps.
   float at(Place place) const { return along_[place.axis].crossings[place.number].at; }
   /// How many intervals the edge has. The crossing is known to be in one, placed in its middle.
   std::uint8_t intervals(Place place) const {
@@ -158,7 +158,7 @@ class CrossingFinder {
   /// cross nothing.
   void add_slice(const void* samples, const std::uint8_t* mask = nullptr);
 
-  /// What was found, after the last slice. Owner: the finder.
+  /// The crossings, after the last slice. Owner: the finder.
   const Crossings& crossings() const;
   Crossings& crossings();
 

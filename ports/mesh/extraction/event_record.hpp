@@ -16,7 +16,7 @@ class EventRecord {
   /// Always takes the event.
   SinkResult accept(const Event& event);
 
-  /// Sends all of them. sink: must accept everything at once.
+  /// Sends all events. sink: must accept everything at once.
   void replay(const Sink& sink) const;
 
  private:

@@ -107,7 +107,8 @@ class Extractors {
   /// Whether memory sufficed, so that no fragment was sent early; when in doubt false. Limit: a
   /// sink that takes fragments.
   bool had_enough_memory() const {
-    // More than any extractor keeps from being used. Without nodes, other pieces go out at seams.
+    // The reserve is more than any extractor withholds. Without nodes, other pieces go out at
+    // seams.
     constexpr std::uint64_t reserve = 4096;
     if (std::is_same_v<AnyExtractor, HostExtractor> &&
         arena_.capacities.slots < host::Chains::min_slots)

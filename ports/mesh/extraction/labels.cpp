@@ -88,7 +88,7 @@ class LabelScan {
     }
   }
 
-  // Null where it is of no surface.
+  // Null if the voxel is of no surface.
   Label* label_of(Sample sample) {
     if (has_last_ && sample == last_sample_) return last_label_;
     has_last_ = true;

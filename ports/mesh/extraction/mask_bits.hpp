@@ -11,7 +11,7 @@
 
 namespace discmc::meshing {
 
-/// Reads a mask of open_mask(), slice by slice. Holds one.
+/// Reads a mask of open_mask(), slice by slice. Holds one slice.
 class MaskBits {
  public:
   /// mask: has to live as long as this.

@@ -27,7 +27,7 @@ class MovedSurface {
     return surface_.accept_region(moved);
   }
 
-  /// The way of the box.
+  /// The way from the box to its place.
   const Vertex& by() const { return by_; }
 
  private:

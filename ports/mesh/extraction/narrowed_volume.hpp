@@ -11,8 +11,8 @@ namespace discmc::meshing {
 
 /// The volume as 16-bit samples with sign, whose values are counted from iso. They are negative
 /// exactly if the value is below iso, and in proportion as far as 16 bits allow.
-/// So the surface at 0 is that of the volume at iso. What is not a number is just off.
-/// bounds: of the volume.
+/// So the surface at 0 is that of the volume at iso. A sample that is not a number is just below
+/// it. bounds: of the volume.
 std::unique_ptr<SliceReader> narrowed(std::unique_ptr<SliceReader> volume,
                                       const SampleBounds& bounds, double iso);
 

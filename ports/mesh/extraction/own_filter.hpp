@@ -11,7 +11,7 @@
 
 namespace discmc::meshing {
 
-/// Started, in memory of its own.
+/// A filter that is started, in memory of its own.
 struct OwnFilter {
   explicit OwnFilter(const Limits& limits) : memory(MajorityFilter::bytes_for(limits)) {
     require(filter.start(limits, {memory.data(), memory.size()}));

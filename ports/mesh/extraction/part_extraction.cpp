@@ -50,7 +50,7 @@ class PartSurface {
     return answer;
   }
 
-  // A region that is whole.
+  // Takes a region that is whole.
   SinkResult accept_region(const WholeRegion& region) {
     if (has_loose_rings(region.incidence(), region.start())) return SinkResult::busy;
     if (packets_) packets_->accept_region(region);
@@ -143,7 +143,7 @@ class OverlappingSlices {
   }
 
  private:
-  // A slice of context and one for the filter, on both sides of a seam.
+  // Slices that two parts both read: one of context and one for the filter on either side.
   static constexpr std::size_t max_shared = 4;
 
   std::size_t slice_bytes_;

@@ -107,7 +107,7 @@ std::uint64_t count_not_numbers(const Sample* samples, std::size_t count) {
   return not_numbers;
 }
 
-// What SliceSelector calls.
+// The functions that SliceSelector calls.
 template <class Sample, class Condition>
 auto selector_of(const SampleGrid& info, Condition is_on) {
   return [is_on, width = info.dims[0], height = info.dims[1]](const void* slice, std::uint8_t* bits,

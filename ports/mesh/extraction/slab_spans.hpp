@@ -17,7 +17,7 @@ struct SliceSpan {
 
   bool holds(std::uint32_t z) const { return z >= first && z < end; }
   std::uint32_t count() const { return end - first; }
-  /// With this many more slices on either side, as far as the volume has them.
+  /// Returns the slices with this many more on either side, as far as the volume has them.
   SliceSpan widened(std::uint32_t slices, std::uint32_t depth) const {
     return {first > slices ? first - slices : 0, end + std::min(slices, depth - end)};
   }

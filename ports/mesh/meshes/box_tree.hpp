@@ -246,7 +246,7 @@ class BoxTree {
     };
   }
 
-  // From the wanted boxes of up to four leaves, searched for at once.
+  // Pairs of the wanted boxes of up to four leaves, which are searched for at once.
   template <class Call>
   void for_each_pair_with(std::size_t begin, std::size_t end, Call& call) const {
     std::array<Box, 4> wanted;

@@ -120,7 +120,7 @@ void Ears::cut_off(std::uint32_t at, std::vector<Triangle>& triangles,
   --left_;
 }
 
-// A point that blocks may do so no longer when a neighbour is cut off; none begins to.
+// A point that blocks ears may cease to when a neighbour is cut off; no other point begins to.
 void Ears::update(const std::vector<PlanePoint>& points, std::uint32_t at) {
   if (!blocks_[at] || is_flat_or_reflex(points, at)) return;
   blocks_[at] = false;

@@ -76,7 +76,7 @@ class InterpolatedMesh {
     }
   }
 
-  // Whether there are new ones in the face or on its sides.
+  // Numbers the crossings in the face and on its sides. Returns whether any was new.
   bool number_crossings(std::size_t face) {
     const std::size_t vertices = vertices_.positions().size();
     const Incidence incidence = surface_.polygons[mesh_.polygons[face]].incidence;
@@ -118,8 +118,8 @@ class InterpolatedMesh {
     return renewed;
   }
 
-  // What an interpolated side needs between its ends becomes a junction, for both polygons that
-  // have it.
+  // Crossings that an interpolated side needs between its ends become junctions, for both polygons
+  // that have the side.
   void number_what_sides_need() {
     std::vector<Vertex> needed;
     for (const Polygon& polygon : surface_.polygons)

@@ -21,7 +21,7 @@ struct BitGrid {
 
 /// The voxels around one that are within a radius of it.
 struct VoxelBall {
-  /// Beyond it memory and time are out of proportion.
+  /// The greatest radius: beyond it memory and time are out of proportion.
   static constexpr double max_reach = 64;
 
   /// How far it reaches along each axis. Units: voxels

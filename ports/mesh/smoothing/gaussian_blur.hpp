@@ -21,7 +21,7 @@ class GaussianBlur {
   void next(float* blurred);
   /// The slice that next() has blurred, as it was.
   const float* sharp() const { return sharp(next_ - 1); }
-  /// An earlier one. Limit: at most three deviations before the last that was blurred.
+  /// An earlier slice, as it was. Limit: at most three deviations before the last that was blurred.
   const float* sharp(std::uint32_t z) const { return window_.at(z); }
 
  private:

@@ -83,7 +83,7 @@ class VolumeKeeper {
   }
 
  private:
-  // The volumes of a surface.
+  // The volumes that the bodies of a surface enclose.
   struct Parts {
     std::vector<std::uint32_t> of_polygon;                  // pieces
     std::array<std::vector<std::uint32_t>, 3> of_crossing;  // pieces, by axis
@@ -200,7 +200,7 @@ class VolumeKeeper {
       if (piece.surface == number) find_edges_of_corners(piece, edges);
   }
 
-  // edges: none before and after.
+  // edges: scratch space, without an edge before and after.
   void find_edges_of_corners(Piece& piece, std::array<std::vector<std::uint32_t>, 3>& edges) const {
     const auto edge_at = [&](Place place) -> auto& {
       return edges[place.axis][place.number];
@@ -267,8 +267,8 @@ class VolumeKeeper {
     return excess;
   }
 
-  // All pieces at once, by Newton's method, as long as it leads nearer. Returns whether all enclose
-  // what is wanted.
+  // Moves all pieces at once, by Newton's method, as long as it leads nearer. Returns whether all
+  // enclose what is wanted.
   bool approach() {
     constexpr unsigned max_steps = 12;
     double before = std::numeric_limits<double>::infinity();
@@ -373,7 +373,7 @@ class VolumeKeeper {
     return moves;
   }
 
-  // places: one per piece, none before and after.
+  // places: scratch space for each piece, no_piece before and after.
   std::vector<Wall> walls_of(const Piece& piece, std::vector<std::uint32_t>& places) const {
     std::vector<Wall> walls = {{no_piece, 0}};
     for (const Piece::Edge& edge : piece.edges) {
@@ -410,7 +410,7 @@ class VolumeKeeper {
            std::fabs(static_cast<double>(ends.begin - ends.end)) / (has_rival ? 4 : 1);
   }
 
-  // By secants, halving where they lead too far. Returns the shift of now if it is good enough.
+  // By secants, halving where they lead too far. Returns the current shift if it is good enough.
   double shift_to_keep(Piece& piece) {
     if (keeping_.check) keeping_.check();
     const double start = piece.shift_mm;

@@ -70,7 +70,7 @@ class Relaxer {
     float low, high;  // between which the crossing is. Units: edges
     std::array<std::array<Neighbour, 2>, 2> beside;
   };
-  // Along the edge from its begin, and how far away across it. Units: edges.
+  // Where a line crosses: along the edge from its begin, and across it. Units: edges.
   struct Spot {
     double along, across;
   };
@@ -141,7 +141,8 @@ class Relaxer {
   std::vector<float> relaxed_;
 };
 
-// Half of the way, and at last all of it. Returns whether there was any left.
+// Moves a crossing half of the way to the middle, and at last all of it. Returns whether any way
+// was left.
 bool move_to_middle(Crossings& crossings, Place place, unsigned round) {
   constexpr unsigned halves = 3;
   const float at = crossings.at(place);

@@ -111,7 +111,7 @@ void SignedDistance::find_between(const float* below, const float* above, float*
   spread_to_columns(squares);
 }
 
-// From what was found along rows to the rows within reach.
+// Spreads what was found along rows to the rows within reach.
 void SignedDistance::spread_to_columns(float* squares) {
   for (std::uint32_t y = 0; y < height_; ++y) {
     const float* found = found_.data() + std::size_t{y} * width_;
@@ -125,7 +125,7 @@ void SignedDistance::spread_to_columns(float* squares) {
   }
 }
 
-// From what was found along columns to the voxels within reach in the row.
+// Spreads what was found along columns to the voxels within reach in the row.
 void SignedDistance::spread_to_rows(float* squares) {
   for (std::size_t row = 0; row < found_.size(); row += width_) {
     const float* found = found_.data() + row;

@@ -1,4 +1,4 @@
-// How unreached each voxel is from the surface of a mask.
+// How far each voxel is from the surface of a mask.
 #ifndef DISCMC_MESH_SMOOTHING_SIGNED_DISTANCE_HPP
 #define DISCMC_MESH_SMOOTHING_SIGNED_DISTANCE_HPP
 

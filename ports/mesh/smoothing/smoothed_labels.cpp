@@ -121,7 +121,7 @@ class LabelSmoother {
     if (boxes_.size() > max_scattered_labels) scatter_.require_labels(z, labels_near(z));
   }
 
-  // In a slice and the two before it.
+  // Values in a slice and the two before it.
   std::size_t labels_near(std::uint32_t z) const {
     return static_cast<std::size_t>(
         std::count_if(boxes_.begin(), boxes_.end(),
@@ -144,7 +144,7 @@ class LabelSmoother {
     return {{label, box.voxels, std::move(joined.surface())}, std::move(crossings)};
   }
 
-  // Also of labels that are not chosen: they have a part in the walls.
+  // Labels that are not chosen are smoothed, too: they have a part in the walls.
   void keep_all_volumes(std::vector<SmoothedLabel>& all) const {
     std::map<Sample, std::size_t> places;
     for (const auto& each : boxes_) places.emplace(each.first, places.size());

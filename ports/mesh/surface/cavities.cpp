@@ -45,7 +45,7 @@ struct Meeting {
   }
 };
 
-// Near the middle of a link on a side: sides are of one surface alone.
+// The point near the middle of a link on a side: sides are of one surface alone.
 Start start_of(const Surface& surface, const Component& component, std::size_t number) {
   const Ring ring = surface.polygons[component.polygons[0]].rings[0];
   const Vertex& from = ring[0];
@@ -63,7 +63,8 @@ class Rays {
       if (lines_.empty() || lines_.back() != start.line) lines_.push_back(start.line);
   }
 
-  // Where lines meet a polygon. Cost: the sides, once per line of another z, and the meetings.
+  // Finds where lines meet a polygon. Cost: the sides, once per line of another z, and the
+  // meetings.
   void meet(const Polygon& polygon, std::size_t component) {
     const Vertex n = incidence_normal(polygon.incidence);
     if (n.x == 0) return;
@@ -134,7 +135,7 @@ bool is_cavity(const Component& component) {
   return component.volume_mm3 < 0;
 }
 
-// From all cavities, or from all bodies, to the polygons of the others.
+// Rays from all cavities, or from all bodies, to the polygons of the others.
 Rays rays_between(const Surface& surface, const std::vector<Component>& components,
                   bool from_cavities) {
   std::vector<Start> starts;

@@ -114,7 +114,7 @@ std::vector<Component> components(const Surface& surface) {
   const auto& s = surface.spacing_mm;
   const double unit_mm3 = std::fabs(s[0] * s[1] * s[2]) / 8;
   for (Component& component : found) {
-    // Near by, so that nothing is rounded that counts.
+    // The origin is near by, so that rounding does not count.
     const Vertex origin = surface.polygons[component.polygons[0]].rings[0][0];
     double sum = 0;
     for (const std::uint32_t polygon : component.polygons)
@@ -141,7 +141,7 @@ Surface surface_of(const Surface& all, const std::vector<Component>& components)
   return surface;
 }
 
-// Each body with its cavities, the largest body first.
+// The bodies, each with its cavities, the largest first.
 std::vector<std::vector<Component>> grouped(const Surface& surface,
                                             std::vector<Component> components) {
   const std::vector<std::size_t> body_of = bodies_of(surface, components);

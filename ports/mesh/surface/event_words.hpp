@@ -14,7 +14,7 @@ namespace discmc::meshing {
 /// Stores only the kind of `start`, `application` and `finish`.
 void append_words(const Event& event, std::vector<std::uint32_t>& words);
 
-/// Reads them again, one event after another.
+/// Reads events from words again, one after another.
 class EventWords {
  public:
   /// words: Owner: the caller, as long as they are read.

@@ -29,7 +29,7 @@ SinkResult GrowingJoiner::accept(const Event& event) {
 }
 
 void GrowingJoiner::finish() {
-  // One that was short of memory has another behind it, perhaps only since it finished.
+  // A joiner that was short of memory has another behind it, perhaps only since it finished.
   for (GrowingJoiner* joiner = this; joiner != nullptr; joiner = joiner->next_.get())
     static_cast<void>(joiner->joiner_.finish());
 }

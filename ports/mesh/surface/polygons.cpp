@@ -5,7 +5,7 @@
 
 namespace discmc::meshing {
 
-// With its first corner, which mostly decides.
+// A polygon with its first corner, which mostly decides the order.
 struct Polygons::Placed {
   Vertex at;
   Record record;
@@ -47,7 +47,7 @@ void Polygons::sort() {
   }
 }
 
-// Compares two whose first corners are the same.
+// Compares two polygons whose first corners are the same.
 bool Polygons::is_before(const Record& a, const Record& b) const {
   const auto begin_of = [this](const Record& record) {
     return corners_.begin() + ring_begins_[record.first_ring];

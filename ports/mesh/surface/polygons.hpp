@@ -126,12 +126,12 @@ class Polygons {
     ring_begins_.push_back(static_cast<std::uint32_t>(corners_.size()));
     ++records_.back().rings;
   }
-  /// Adds one of others.
+  /// Adds a polygon of others.
   void push_back(const Polygon& polygon) {
     add_polygon(polygon.incidence);
     for (const Ring& ring : polygon.rings) add_ring(ring);
   }
-  /// Adds all of others.
+  /// Adds all polygons of others.
   void append(const Polygons& others) {
     require_numbers_for(corners_.size() + others.corners_.size());
     const auto first_ring = static_cast<std::uint32_t>(ring_begins_.size() - 1);

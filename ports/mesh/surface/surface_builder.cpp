@@ -293,7 +293,7 @@ Ring SurfaceBuilder::simple_ring(const Span& span) const {
   return {corners_.data() + span.begin, corners_.data() + span.end};
 }
 
-// Whether there is one.
+// Moves the outer ring to the front. Returns whether there is one.
 bool SurfaceBuilder::put_outer_first() {
   const auto is_outer = [this](const Span& span) {
     const Ring ring = simple_ring(span);
@@ -305,7 +305,7 @@ bool SurfaceBuilder::put_outer_first() {
   return true;
 }
 
-// By their corners, so that it does not count in which order they were closed.
+// Sorts holes by their corners, so that the order in which they were closed does not count.
 void SurfaceBuilder::sort_holes() {
   if (simple_rings_.size() < 3) return;
   std::sort(simple_rings_.begin() + 1, simple_rings_.end(), [this](const Span& a, const Span& b) {
