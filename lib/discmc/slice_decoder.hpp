@@ -20,13 +20,13 @@ namespace discmc {
 /// members that the kind names are valid.
 struct RowEvent {
   enum class Kind : uint8_t {
-    start,      ///< the first event: header
-    row,        ///< slice, row, channel, bits
-    fractions,  ///< before the row that has them: slice, row, channel, fractions
-    skipped,  ///< a row that the encoder never received: slice, row, channel, is_repeated, and the
-              ///< bits that replace the row
-    lost,     ///< rows of all surfaces that were lost in transit: count, and slice and row of
-              ///< the first
+    start,        ///< the first event: header
+    row,          ///< slice, row, channel, bits
+    fractions,    ///< before the row that has them: slice, row, channel, fractions
+    skipped,      ///< a row that the encoder never received: slice, row, channel, is_repeated, and
+                  ///< the bits that replace the row
+    lost,         ///< rows of all surfaces that were lost in transit: count, and slice and row of
+                  ///< the first
     application,  ///< an application record: application
     finish,       ///< the last event: slice (the number of slices), is_abandoned
   };

@@ -38,13 +38,19 @@ class Base64Bytes final : public PartwiseSource {
     }
   }
 
+  static unsigned value_of(char c) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    return static_cast<unsigned>(digits.find(c));
+  }
+
   bool next_part() override {
     std::uint32_t bits = 0;
     std::size_t filled = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       const char c = next_character();
       if (c == '<' && i == 0) return false;
-      const unsigned value = c == '=' ? 0 : base64_value(c);
+      const unsigned value = c == '=' ? 0 : value_of(c);
       filled += c == '=' ? 1 : 0;
       if (value > 63 || filled > 2 || (c != '=' && filled > 0)) {
         damage_ = "the base64 text holds " + shown({&c, 1}) + ", which is not allowed there";
@@ -67,12 +73,6 @@ class Base64Bytes final : public PartwiseSource {
 };
 
 }  // namespace
-
-unsigned base64_value(char c) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  return static_cast<unsigned>(digits.find(c));
-}
 
 std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in) {
   return std::make_unique<Base64Bytes>(std::move(in));

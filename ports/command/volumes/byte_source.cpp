@@ -35,6 +35,22 @@ class Pipe final : public ByteSource {
   std::ifstream in_;
 };
 
+class Memory final : public ByteSource {
+ public:
+  explicit Memory(std::vector<unsigned char> bytes) : bytes_(std::move(bytes)) {}
+  std::size_t read(void* bytes, std::size_t count) override {
+    const std::size_t part = std::min(count, bytes_.size() - at_);
+    if (part > 0) std::memcpy(bytes, bytes_.data() + at_, part);
+    at_ += part;
+    return part;
+  }
+  std::uint64_t max_left() const override { return bytes_.size() - at_; }
+
+ private:
+  std::vector<unsigned char> bytes_;
+  std::size_t at_ = 0;
+};
+
 class RegularFile final : public ByteSource {
  public:
   RegularFile(std::ifstream in, std::uint64_t bytes) : in_(std::move(in)), left_(bytes) {}
@@ -108,6 +124,10 @@ std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file) {
   if (error || !in) fail_to_open();
   if (is_regular) return std::make_unique<RegularFile>(std::move(in), bytes);
   return std::make_unique<Pipe>(std::move(in));
+}
+
+std::unique_ptr<ByteSource> bytes_in_memory(std::vector<unsigned char> bytes) {
+  return std::make_unique<Memory>(std::move(bytes));
 }
 
 }  // namespace discmc::command

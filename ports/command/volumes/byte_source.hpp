@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "meshing.hpp"
 #include "samples/sample_type.hpp"
@@ -80,14 +81,13 @@ bool is_read_once(const std::filesystem::path& file);
 /// a block device.
 std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file);
 
+std::unique_ptr<ByteSource> bytes_in_memory(std::vector<unsigned char> bytes);
+
 /// The content of gzip members or of a zlib stream.
 std::unique_ptr<ByteSource> inflated(std::unique_ptr<ByteSource> in);
 
 /// The content of this many zlib streams, one after the other.
 std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std::uint64_t count);
-
-/// The six bits of a character of base64; more than 63 if it is not one.
-unsigned base64_value(char c);
 
 /// The bytes of text in base64, in parts that are each filled up, up to the first '<'.
 std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in);

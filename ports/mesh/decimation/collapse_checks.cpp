@@ -158,10 +158,9 @@ bool keeps_apart(const Collapse& collapse, const CollapsingMesh& mesh, const Box
     for (const std::uint32_t number : numbers)
       if (number == collapse.kept || number == collapse.gone) return false;
     for (std::size_t i = 0; i < moved.size(); i += 4) {
-      const unsigned near = boxes[i / 4].overlaps(box);
-      for (std::size_t j = i; near >> (j - i) != 0; ++j)
-        if ((near >> (j - i) & 1U) != 0 &&
-            collide(moved[j], {numbers.data(), mesh.corners(triangle)}))
+      unsigned near = boxes[i / 4].overlaps(box);
+      for (std::size_t j = i; near != 0; near >>= 1U, ++j)
+        if ((near & 1U) != 0 && collide(moved[j], {numbers.data(), mesh.corners(triangle)}))
           return true;
     }
     return mesh.body(numbers[0]) != body && is_passed(mesh.point(numbers[0]), collapse, mesh);

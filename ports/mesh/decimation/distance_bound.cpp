@@ -41,15 +41,13 @@ Corners OriginalSurface::corners(std::uint32_t triangle) const {
 }
 
 bool OriginalSurface::is_near(const Point& point, double distance) const {
-  const auto is_triangle_near = [&](std::uint32_t triangle) {
+  const auto is_triangle_near = [&](std::uint32_t triangle, const Box& = {}) {
     if (squared_distance(point, corners(triangle)) > distance * distance) return false;
     last_ = triangle;
     return true;
   };
-  return is_triangle_near(last_) || tree_.any_near(box_around(point, distance), last_,
-                                                   [&](std::uint32_t triangle, const Box&) {
-                                                     return is_triangle_near(triangle);
-                                                   });
+  return is_triangle_near(last_) ||
+         tree_.any_near(box_around(point, distance), last_, is_triangle_near);
 }
 
 bool OriginalSurface::is_near(const Collapse& collapse, double distance) const {

@@ -135,8 +135,8 @@ def bench_samples(title, samples, spacing, level):
 
     def row(name, vertices, triangles, seconds, megabytes):
         output, _, _ = usage_of([DISCMC, 'compare', 'mesh.ply', *volume], FOLDER)
-        output = next(line.split() for line in output.splitlines() if 'A to B, mm' in line)
-        print(f'| {name} | {len(triangles):,} | {output[4]} | {output[6]} | {thin(vertices, triangles):.1f} % '
+        distances = next(line.split() for line in output.splitlines() if 'A to B, mm' in line)
+        print(f'| {name} | {len(triangles):,} | {distances[4]} | {distances[6]} | {thin(vertices, triangles):.1f} % '
               f'| {wrong_edges(triangles):,} | {seconds:.1f} | {f"{megabytes:.0f}" if megabytes else ""} |', flush=True)
 
     fewer = None

@@ -121,23 +121,22 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const DicomFrame& f
   for (std::size_t i = 1; i < places.size(); ++i)
     least = std::min(least, places[i] - places[i - 1]);
   constexpr double max_jitter = 0.1;  // of a step, as in images
+  const double steps[] = {declared, least, best_step(places)};
   for (const double share : {same_distance, max_jitter})
-    for (const double step : {declared, least, best_step(places)}) {
+    for (const double step : steps) {
       const double rounding = std::max(half_a_decimal(places), share * step);
       const auto slices = slices_by_step(places, step, rounding);
       if (!slices) continue;
-      const bool is_declared = std::fabs(step - declared) <= max_jitter * declared;
       if (!have_neighbours(*slices)) {
         if (name != "SpacingBetweenSlices") continue;
         note(info,
              "no two slices are the " + by_name + " apart: those between are taken to be empty");
-      } else if (declared > 0 && !is_declared) {
+      } else if (declared > 0 && std::fabs(step - declared) > max_jitter * declared) {
         note(info, "the slices are " + short_number(step) + " mm apart, not the " + by_name);
       }
-      const double off = farthest_off(places, *slices);
       if (share > same_distance)
-        note(info,
-             "slices lie up to " + short_number(off) + " mm from their place at even distances");
+        note(info, "slices lie up to " + short_number(farthest_off(places, *slices)) +
+                       " mm from their place at even distances");
       return *slices;
     }
   fail(source,

@@ -41,25 +41,9 @@ void take_checksum(const std::filesystem::path& chunk, ChunkBytes& bytes) {
   bytes.resize(count);
 }
 
-class MemorySource final : public ByteSource {
- public:
-  explicit MemorySource(ChunkBytes bytes) : bytes_(std::move(bytes)) {}
-  std::size_t read(void* bytes, std::size_t count) override {
-    const std::size_t part = std::min(count, bytes_.size() - at_);
-    if (part > 0) std::memcpy(bytes, bytes_.data() + at_, part);
-    at_ += part;
-    return part;
-  }
-  std::uint64_t max_left() const override { return bytes_.size() - at_; }
-
- private:
-  ChunkBytes bytes_;
-  std::size_t at_ = 0;
-};
-
 ChunkBytes unpacked_bytes(const std::filesystem::path& chunk, ChunkBytes packed, Packing packing,
                           std::size_t bytes) {
-  const auto source = unpacked(std::make_unique<MemorySource>(std::move(packed)), packing, chunk);
+  const auto source = unpacked(bytes_in_memory(std::move(packed)), packing, chunk);
   ChunkBytes result(bytes);
   const std::size_t got = source->read(result.data(), bytes);
   unsigned char beyond = 0;

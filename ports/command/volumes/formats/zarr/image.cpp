@@ -194,16 +194,12 @@ void take_coordinates_of_axes(ZarrImage& image, const ZarrNode& node) {
 
 // As xarray writes a fill value of floating point with version 3: eight bytes, the lowest first.
 std::optional<double> number_in_base64(const std::string& text) {
-  constexpr std::size_t digits = 11;  // of six bits, for 64 bits
-  if (text.size() != digits + 1 || text.back() != '=') return std::nullopt;
-  std::array<std::uint8_t, 8> bytes{};
-  for (std::size_t i = 0; i < digits; ++i) {
-    const unsigned value = base64_value(text[i]);
-    if (value > 63) return std::nullopt;
-    const std::size_t byte = 6 * i / 8, shift = 10 - 6 * i % 8;
-    bytes[byte] |= static_cast<std::uint8_t>(value << shift >> 8);
-    if (byte + 1 < bytes.size()) bytes[byte + 1] |= static_cast<std::uint8_t>(value << shift);
-  }
+  constexpr std::size_t characters = 12;
+  if (text.size() != characters) return std::nullopt;
+  std::array<unsigned char, 8> bytes{};
+  const auto source = base64_decoded(bytes_in_memory({text.begin(), text.end()}));
+  if (source->read(bytes.data(), bytes.size()) < bytes.size() || text.back() != '=')
+    return std::nullopt;
   const std::uint64_t bits = whole_of(bytes.data(), bytes.size(), false);
   double number = 0;
   std::memcpy(&number, &bits, sizeof number);
