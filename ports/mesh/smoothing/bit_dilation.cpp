@@ -17,10 +17,10 @@ void spread_row(const std::uint64_t* from, std::uint64_t* to, std::size_t words)
 }
 
 // Voxels exactly at the radius count, however their distance is rounded.
-constexpr double tolerance = 1e-9;
+constexpr double rounding_slack = 1e-9;
 
 std::uint32_t voxels_in(double length_mm, double spacing_mm) {
-  return static_cast<std::uint32_t>(length_mm / spacing_mm + tolerance);
+  return static_cast<std::uint32_t>(length_mm / spacing_mm + rounding_slack);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ VoxelBall::VoxelBall(double radius_mm, const std::array<double, 3>& spacing_mm) 
     width.emplace_back();
     for (std::uint32_t y = 0; y <= reach[1]; ++y) {
       const double dy = y * spacing_mm[1], dz = z * spacing_mm[2];
-      const double square = radius_mm * radius_mm * (1 + tolerance);
+      const double square = radius_mm * radius_mm * (1 + rounding_slack);
       const double left = square - dy * dy - dz * dz;
       width.back().push_back(
           left < 0 ? -1 : static_cast<std::int32_t>(voxels_in(std::sqrt(left), spacing_mm[0])));
