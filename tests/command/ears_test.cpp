@@ -97,6 +97,7 @@ TEST_CASE("a ring that meets itself, or has another direction, has no ears") {
   CHECK_FALSE(cut({{2, 0}, {8, 4}, {0, 4}, {6, 0}, {4, 7}}).is_cut);          // goes round twice
   CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {9, 4}, {1, 4}}).is_cut);  // crosses
   CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}).is_cut);          // touches a side
+  CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 2}, {4, -1}, {0, 2}}).is_cut);         // dips through one
   CHECK_FALSE(cut({{0, 0}, {4, 2}, {8, 0}, {8, 8}, {4, 2}, {0, 8}}).is_cut);  // touches a point
   CHECK_FALSE(cut({{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}}).is_cut);          // a spike
   CHECK_FALSE(cut({{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}}).is_cut);          // stays on a point

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <discmc/base/compiler.hpp>
+
 namespace discmc::meshing {
 namespace {
 
@@ -21,12 +23,10 @@ std::uint32_t& start_of(std::vector<Triangle>& triangles, std::uint32_t side) {
   return triangles[side / 3][side % 3];
 }
 
-}  // namespace
-
 // Whether the angles at c and d, over the edge from a to b, are more than half a turn together.
 // Exact up to 2^12 between points.
-bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
-                  const PlanePoint& d) {
+DISCMC_ALWAYS_INLINE bool is_flat_pair(const PlanePoint& a, const PlanePoint& b,
+                                       const PlanePoint& c, const PlanePoint& d) {
   constexpr double doubt = 1e-15;  // more than what rounding could make of it
   const auto cosine = [&](const PlanePoint& apex) {
     return static_cast<double>((a.u - apex.u) * (b.u - apex.u) + (a.v - apex.v) * (b.v - apex.v));
@@ -38,6 +38,13 @@ bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
   return one + other < -doubt * (std::abs(one) + std::abs(other));
 }
 
+}  // namespace
+
+bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
+                  const PlanePoint& d) {
+  return is_flat_pair(a, b, c, d);
+}
+
 void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
                             std::vector<Triangle>& triangles) {
   pair_sides(triangles);
@@ -45,17 +52,21 @@ void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
 }
 
 void DelaunayFlips::improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
-                            const std::vector<Side>& pairs) {
-  twins_ = pairs;
+                            std::vector<Side>& pairs) {
+  twins_.swap(pairs);
   flip_all(points, triangles);
 }
 
 void DelaunayFlips::flip_all(const std::vector<PlanePoint>& points,
                              std::vector<Triangle>& triangles) {
   changed_.clear();
-  waiting_.clear();
-  for (Side side = 0; side < twins_.size(); ++side)
-    if (side < twins_[side] && twins_[side] != no_side) waiting_.push_back(side);
+  waiting_.resize(twins_.size());
+  Side* end = waiting_.begin();
+  for (Side side = 0; side < twins_.size(); ++side) {
+    *end = side;
+    end += side < twins_[side] && twins_[side] != no_side ? 1 : 0;
+  }
+  waiting_.resize(static_cast<std::size_t>(end - waiting_.begin()));
   flip_waiting(points, triangles);
 }
 
@@ -86,7 +97,8 @@ void DelaunayFlips::insert(const std::vector<PlanePoint>& points, std::vector<Tr
   link(3 * second + 1, 3 * third + 2);
   link(3 * third + 1, 3 * triangle + 2);
   changed_ = {triangle, second, third};
-  waiting_ = {3 * third, 3 * second};
+  waiting_.resize(0);
+  for (const Side outside : {3 * third, 3 * second}) waiting_.push_back(outside);
   if (is_on_edge)
     flip(triangles, 3 * triangle);
   else
@@ -100,12 +112,13 @@ void DelaunayFlips::flip_waiting(const std::vector<PlanePoint>& points,
   // end.
   for (std::size_t flips = max_flips * triangles.size(); flips > 0 && !waiting_.empty();) {
     const Side side = waiting_.back();
-    waiting_.pop_back();
+    waiting_.resize(waiting_.size() - 1);
     const Side twin = twins_[side];
     if (twin == no_side) continue;
-    const auto point_of = [&](Side from) { return points[start_of(triangles, from)]; };
-    if (is_in_circle(point_of(side), point_of(twin), point_of(previous(side)),
-                     point_of(previous(twin)))) {
+    const auto start = [&](Side from) -> const PlanePoint& {
+      return points[start_of(triangles, from)];
+    };
+    if (is_flat_pair(start(side), start(twin), start(previous(side)), start(previous(twin)))) {
       flip(triangles, side);
       --flips;
     }

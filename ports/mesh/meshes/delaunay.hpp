@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "surface/array.hpp"
+
 namespace discmc::meshing {
 
 /// A point of a polygon in its plane. Limit: magnitude up to max_plane_coordinate.
@@ -40,9 +42,10 @@ class DelaunayFlips {
   /// triangles: counter-clockwise, none without area; two that share an edge have the same two
   /// points there.
   void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles);
-  /// The same if it is known of every side which is the other one between the same points.
+  /// The same if it is known of every side which is the other one between the same points. pairs:
+  /// unspecified afterwards.
   void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
-               const std::vector<Side>& pairs);
+               std::vector<Side>& pairs);
 
   /// Adds the last of the points to the triangles, as the last call left them. triangle: the place
   /// of one that the point lies in, or on an edge that it shares.
@@ -69,8 +72,8 @@ class DelaunayFlips {
     Side side;
   };
   std::vector<Ends> ends_;
-  std::vector<Side> twins_;    // of every side the other one between the same points
-  std::vector<Side> waiting_;  // to be looked at
+  std::vector<Side> twins_;  // of every side the other one between the same points
+  Array<Side> waiting_;      // to be looked at
   std::vector<std::uint32_t> changed_;
 };
 

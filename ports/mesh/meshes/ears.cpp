@@ -5,28 +5,13 @@
 namespace discmc::meshing {
 namespace {
 
-bool are_apart(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
-  return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
-}
-
-// Whether two sides have a point in common.
+// Whether two sides have a point in common. Limit: so have the boxes around them.
 bool meet(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
-  if (are_apart(a.u, b.u, c.u, d.u) || are_apart(a.v, b.v, c.v, d.v)) return false;
   const auto on_both_sides = [](std::int64_t one, std::int64_t other) {
-    return !((one > 0 && other > 0) || (one < 0 && other < 0));
+    return ((one ^ other) < 0) | (one == 0) | (other == 0);
   };
   return on_both_sides(doubled_area(a, b, c), doubled_area(a, b, d)) &&
          on_both_sides(doubled_area(c, d, a), doubled_area(c, d, b));
-}
-
-// Whether sides meet neighbours only. Limit: those do so in one point.
-bool is_simple(const std::vector<PlanePoint>& points) {
-  const std::size_t count = points.size();
-  for (std::size_t i = 0; i + 2 < count; ++i)
-    for (std::size_t j = i + 2; j < count - (i == 0 ? 1 : 0); ++j)
-      if (meet(points[i], points[i + 1], points[j], points[j + 1 < count ? j + 1 : 0]))
-        return false;
-  return true;
 }
 
 // Whether a ring that never turns to the right goes round once: then it turns upwards once.
@@ -52,7 +37,7 @@ bool Ears::cut(const std::vector<PlanePoint>& points, std::vector<Triangle>& tri
                std::vector<std::uint32_t>& pairs) {
   if (points.size() < 3 || points.size() > max_points) return false;
   link_all(points);
-  if (blockers_ == 0 ? !goes_round_once(points) : !is_simple(points)) return false;
+  if (blocker_count_ == 0 ? !goes_round_once(points) : !is_simple(points)) return false;
   triangles.resize(points.size() - 2);
   pairs.resize(3 * triangles.size());
   cut_count_ = 0;
@@ -82,10 +67,43 @@ void Ears::link_all(const std::vector<PlanePoint>& points) {
     previous_[i] = i > 0 ? i - 1 : left_ - 1;
     inner_[i] = DelaunayFlips::no_side;
   }
-  blockers_ = 0;
+  blocker_count_ = 0;
   for (std::uint32_t i = 0; i < left_; ++i) {
     blocks_[i] = is_flat_or_reflex(points, i);
-    blockers_ += blocks_[i] ? 1 : 0;
+    blocker_[blocker_count_] = i;
+    blocker_count_ += blocks_[i] ? 1 : 0;
+  }
+}
+
+// Whether sides meet neighbours only. Limit: those do so in one point.
+bool Ears::is_simple(const std::vector<PlanePoint>& points) {
+  const std::size_t count = points.size();
+  const auto point = [&points, count](std::size_t i) -> const PlanePoint& {
+    return points[i < count ? i : i - count];
+  };
+  const auto meet_at = [&](std::size_t i, std::size_t j) {
+    return meet(point(i), point(i + 1), point(j), point(j + 1));
+  };
+  set_boxes(points);
+  // Half of these are near each other: no branch depends on it.
+  bool is_crossed = false;
+  for (std::size_t i = 0; i < count && count > 3; ++i)
+    is_crossed |= are_near(i, i + 2) & meet_at(i, i + 2);
+  if (is_crossed) return false;
+  for (std::size_t apart = 3; 2 * apart <= count; ++apart)
+    for (std::size_t i = 0; i < count; ++i)
+      if (are_near(i, i + apart) && meet_at(i, i + apart)) return false;
+  return true;
+}
+
+void Ears::set_boxes(const std::vector<PlanePoint>& points) {
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const PlanePoint &from = points[i], &to = points[i + 1 < count ? i + 1 : 0];
+    low_u_[i] = low_u_[i + count] = static_cast<std::int32_t>(std::min(from.u, to.u));
+    high_u_[i] = high_u_[i + count] = static_cast<std::int32_t>(std::max(from.u, to.u));
+    low_v_[i] = low_v_[i + count] = static_cast<std::int32_t>(std::min(from.v, to.v));
+    high_v_[i] = high_v_[i + count] = static_cast<std::int32_t>(std::max(from.v, to.v));
   }
 }
 
@@ -94,12 +112,15 @@ bool Ears::is_flat_or_reflex(const std::vector<PlanePoint>& points, std::uint32_
 }
 
 bool Ears::is_ear(const std::vector<PlanePoint>& points, std::uint32_t at) const {
-  if (blockers_ == 0) return true;
-  const PlanePoint &a = points[previous_[at]], &b = points[at], &c = points[next_[at]];
-  for (std::uint32_t i = next_[next_[at]]; i != previous_[at]; i = next_[i])
-    if (blocks_[i] && doubled_area(a, b, points[i]) >= 0 && doubled_area(b, c, points[i]) >= 0 &&
-        doubled_area(c, a, points[i]) >= 0)
-      return false;
+  const std::uint32_t before = previous_[at], after = next_[at];
+  const PlanePoint &a = points[before], &b = points[at], &c = points[after];
+  for (std::uint32_t i = 0; i < blocker_count_; ++i) {
+    const PlanePoint& point = points[blocker_[i]];
+    // Not negative if no area is: the point is inside. At a and c two areas are zero.
+    const std::int64_t areas =
+        doubled_area(a, b, point) | doubled_area(b, c, point) | doubled_area(c, a, point);
+    if (areas >= 0 && blocker_[i] != before && blocker_[i] != after) return false;
+  }
   return true;
 }
 
@@ -124,7 +145,8 @@ void Ears::cut_off(std::uint32_t at, std::vector<Triangle>& triangles,
 void Ears::update(const std::vector<PlanePoint>& points, std::uint32_t at) {
   if (!blocks_[at] || is_flat_or_reflex(points, at)) return;
   blocks_[at] = false;
-  --blockers_;
+  *std::find(blocker_, blocker_ + blocker_count_, at) = blocker_[blocker_count_ - 1];
+  --blocker_count_;
 }
 
 }  // namespace discmc::meshing

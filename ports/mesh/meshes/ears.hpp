@@ -27,6 +27,12 @@ class Ears {
 
  private:
   void link_all(const std::vector<PlanePoint>& points);
+  bool is_simple(const std::vector<PlanePoint>& points);
+  void set_boxes(const std::vector<PlanePoint>& points);
+  bool are_near(std::size_t i, std::size_t j) const {
+    return (low_u_[i] <= high_u_[j]) & (low_u_[j] <= high_u_[i]) & (low_v_[i] <= high_v_[j]) &
+           (low_v_[j] <= high_v_[i]);
+  }
   bool is_flat_or_reflex(const std::vector<PlanePoint>& points, std::uint32_t at) const;
   bool is_ear(const std::vector<PlanePoint>& points, std::uint32_t at) const;
   void cut_off(std::uint32_t at, std::vector<Triangle>& triangles,
@@ -35,10 +41,14 @@ class Ears {
 
   std::uint32_t left_ = 0;       // points that are not cut off
   std::uint32_t cut_count_ = 0;  // triangles
-  std::uint32_t blockers_ = 0;   // how many of them block
   std::uint32_t next_[max_points], previous_[max_points];
-  bool blocks_[max_points];          // flat or reflex: only such points can lie in an ear
+  bool blocks_[max_points];            // flat or reflex: only such points can lie in an ear
+  std::uint32_t blocker_[max_points];  // those points
+  std::uint32_t blocker_count_ = 0;
   std::uint32_t inner_[max_points];  // the side cut between a point and the next, or none
+  // The boxes around sides, twice.
+  std::int32_t low_u_[2 * max_points], high_u_[2 * max_points];
+  std::int32_t low_v_[2 * max_points], high_v_[2 * max_points];
 };
 
 }  // namespace discmc::meshing

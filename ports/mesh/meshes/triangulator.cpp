@@ -23,22 +23,16 @@ bool are_in_range(const std::vector<PlanePoint>& points) {
 
 const std::vector<Triangle>& Triangulator::triangulate(
     const std::vector<PlanePoint>& points, const std::vector<std::uint32_t>& ring_ends) {
-  triangles_.clear();
-  if (points.size() < 3 || !are_in_range(points)) return triangles_;
-  if (ring_ends.size() == 1 && cut_small(points)) return triangles_;
-  if (ring_ends.size() == 1 && ears_.cut(points, triangles_, pairs_)) {
-    flips_.improve(points, triangles_, pairs_);
-    return triangles_;
+  const bool is_valid = points.size() >= 3 && are_in_range(points);
+  if (is_valid && ring_ends.size() == 1) {
+    if (cut_small(points)) return triangles_;
+    if (ears_.cut(points, triangles_, pairs_)) {
+      flips_.improve(points, triangles_, pairs_);
+      return triangles_;
+    }
   }
   triangles_.clear();
-  sort_points(points);
-  if (!add_edges(ring_ends) || !pass_all()) {
-    triangles_.clear();
-    return triangles_;
-  }
-  flips_.improve(at_, triangles_);
-  for (Triangle& triangle : triangles_)
-    for (std::uint32_t& corner : triangle) corner = places_[corner];
+  if (is_valid) sweep(points, ring_ends);
   return triangles_;
 }
 
@@ -49,16 +43,32 @@ bool Triangulator::cut_small(const std::vector<PlanePoint>& points) {
     return doubled_area(points[a], points[b], points[c]) > 0;
   };
   if (points.size() == 3 && is_triangle(0, 1, 2)) {
-    triangles_ = {{0, 1, 2}};
-  } else if (points.size() == 4) {
-    const bool is_first = is_triangle(0, 1, 2) && is_triangle(0, 2, 3);
-    const bool is_second = is_triangle(0, 1, 3) && is_triangle(1, 2, 3);
-    if (is_first && !(is_second && is_in_circle(points[2], points[0], points[1], points[3])))
-      triangles_ = {{0, 1, 2}, {0, 2, 3}};
-    else if (is_second)
-      triangles_ = {{0, 1, 3}, {1, 2, 3}};
+    triangles_.resize(1);
+    triangles_[0] = {0, 1, 2};
+    return true;
   }
-  return !triangles_.empty();
+  if (points.size() != 4) return false;
+  const bool is_first = is_triangle(0, 1, 2) && is_triangle(0, 2, 3);
+  const bool is_second = is_triangle(0, 1, 3) && is_triangle(1, 2, 3);
+  if (!is_first && !is_second) return false;
+  triangles_.resize(2);
+  if (is_first && !(is_second && is_in_circle(points[2], points[0], points[1], points[3]))) {
+    triangles_[0] = {0, 1, 2};
+    triangles_[1] = {0, 2, 3};
+  } else {
+    triangles_[0] = {0, 1, 3};
+    triangles_[1] = {1, 2, 3};
+  }
+  return true;
+}
+
+void Triangulator::sweep(const std::vector<PlanePoint>& points,
+                         const std::vector<std::uint32_t>& ring_ends) {
+  sort_points(points);
+  if (!add_edges(ring_ends) || !pass_all()) return triangles_.clear();
+  flips_.improve(at_, triangles_);
+  for (Triangle& triangle : triangles_)
+    for (std::uint32_t& corner : triangle) corner = places_[corner];
 }
 
 void Triangulator::sort_points(const std::vector<PlanePoint>& points) {

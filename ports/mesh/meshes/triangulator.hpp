@@ -57,6 +57,7 @@ class Triangulator {
   };
 
   bool cut_small(const std::vector<PlanePoint>& points);
+  void sweep(const std::vector<PlanePoint>& points, const std::vector<std::uint32_t>& ring_ends);
   void sort_points(const std::vector<PlanePoint>& points);
   // These return whether the rings may still bound a polygon.
   bool add_edges(const std::vector<std::uint32_t>& ring_ends);

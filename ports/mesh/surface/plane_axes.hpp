@@ -1,0 +1,45 @@
+// Two of the three coordinates for the planes of an incidence.
+#ifndef DISCMC_MESH_SURFACE_PLANE_AXES_HPP
+#define DISCMC_MESH_SURFACE_PLANE_AXES_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <discmc/lattice.hpp>
+
+namespace discmc::meshing {
+
+/// The coordinates of a plane, chosen and ordered so that counter-clockwise seen from the tip of
+/// the normal stays so. Leaving a coordinate out changes shapes but neither order nor sides.
+struct PlaneAxes {
+  std::int32_t Vertex::*u;
+  std::int32_t Vertex::*v;
+  std::int32_t Vertex::*left_out;
+};
+
+namespace derive {
+constexpr PlaneAxes plane_axes(Incidence incidence) {
+  const Vertex normal = incidence_normal(incidence);
+  if (normal.z > 0) return {&Vertex::x, &Vertex::y, &Vertex::z};
+  if (normal.z < 0) return {&Vertex::y, &Vertex::x, &Vertex::z};
+  if (normal.y > 0) return {&Vertex::z, &Vertex::x, &Vertex::y};
+  if (normal.y < 0) return {&Vertex::x, &Vertex::z, &Vertex::y};
+  if (normal.x > 0) return {&Vertex::y, &Vertex::z, &Vertex::x};
+  return {&Vertex::z, &Vertex::y, &Vertex::x};
+}
+constexpr std::array<PlaneAxes, incidence_codes> all_plane_axes() {
+  std::array<PlaneAxes, incidence_codes> all{};
+  for (Incidence i = 0; i < incidence_codes; ++i) all[i] = plane_axes(i);
+  return all;
+}
+}  // namespace derive
+
+inline const PlaneAxes& plane_axes(Incidence incidence) {
+  static constexpr std::array<PlaneAxes, incidence_codes> all = derive::all_plane_axes();
+  return all[incidence];
+}
+
+}  // namespace discmc::meshing
+
+#endif
