@@ -1,6 +1,12 @@
 // The container of polygons: views of arrays that are appended to.
 #include "surface/polygons.hpp"
 
+#include <algorithm>
+#include <array>
+#include <random>
+#include <utility>
+#include <vector>
+
 #include "hand_made.hpp"
 #include "test.hpp"
 
@@ -49,7 +55,7 @@ TEST_CASE("an empty list of polygons has no rings and no corners") {
   CHECK(none.empty());
   CHECK(none.size() == 0);
   CHECK(met(none).incidences.empty());
-  CHECK(none.corner_count() == 0);
+  CHECK(none.corners().empty());
 }
 
 TEST_CASE("a polygon has the rings that were added to it, in their order") {
@@ -74,7 +80,7 @@ TEST_CASE("append() adds polygons at the end, and polygons without rings keep th
   const Met all = met(polygons);
   CHECK(all.incidences == std::vector<Incidence>{down, up, up, down});
   CHECK(all.rings == std::vector<std::vector<Corners>>{{hole}, {}, {square, hole}, {square}});
-  CHECK(all.corners.size() == polygons.corner_count());
+  CHECK(all.corners.size() == polygons.corners().size());
 }
 
 TEST_CASE("a polygon of another list is added with all its rings") {
@@ -86,4 +92,41 @@ TEST_CASE("a polygon of another list is added with all its rings") {
   const Met all = met(polygons);
   CHECK(all.incidences == std::vector<Incidence>{down, up});
   CHECK(all.rings == std::vector<std::vector<Corners>>{{square}, {square, hole}});
+}
+
+TEST_CASE("polygons are sorted by z, y and x of their first corners, then by their incidences") {
+  // Side by side; in rows that are far apart; and in layers of which some are far apart.
+  struct Spread {
+    std::int32_t row, far_layer;
+  };
+  for (const Spread& spread : {Spread{1, 0}, Spread{9999, 0}, Spread{1, 99999999}}) {
+    CAPTURE(spread.row);
+    CAPTURE(spread.far_layer);
+    std::minstd_rand random(7);
+    const auto below = [&random](std::uint32_t end) {
+      return static_cast<std::int32_t>(random() % end);
+    };
+    Polygons polygons;
+    for (int i = 0; i < 3000; ++i) {
+      const Vertex first{below(9), spread.row * below(20),
+                         below(60) + (below(8) == 0 ? spread.far_layer : 0)};
+      const Vertex second = first + Vertex{-2, -below(2), 0};
+      polygons.append(polygon_of(below(2) == 0 ? up : down, {{first, second, {0, 0, 0}}}));
+    }
+    std::vector<std::pair<Incidence, Corners>> sorted;
+    for (const Polygon& polygon : polygons)
+      sorted.emplace_back(polygon.incidence, rings_of(polygon)[0]);
+    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+      const auto key = [](const auto& each) {
+        const Vertex &first = each.second[0], &second = each.second[1];
+        return std::array<std::int32_t, 5>{first.z, first.y, first.x, each.first, second.y};
+      };
+      return key(a) < key(b);
+    });
+    polygons.sort();
+    std::vector<std::pair<Incidence, Corners>> result;
+    for (const Polygon& polygon : polygons)
+      result.emplace_back(polygon.incidence, rings_of(polygon)[0]);
+    CHECK(result == sorted);
+  }
 }

@@ -11,8 +11,9 @@ namespace {
 using discmc::Vertex;
 using discmc::meshing::VertexNumbers;
 
-// With an odd sum, in blocks that lie beside each other and far apart, many of them several times.
-std::vector<Vertex> some_vertices(std::uint32_t seed) {
+// With an odd sum, in blocks that lie beside each other, many of them several times. far: at least
+// this coordinate z for some of them.
+std::vector<Vertex> some_vertices(std::uint32_t seed, std::int32_t far) {
   std::minstd_rand random(seed);
   std::vector<Vertex> vertices;
   for (std::int32_t i = 0; i < 20000; ++i) {
@@ -20,7 +21,7 @@ std::vector<Vertex> some_vertices(std::uint32_t seed) {
       return static_cast<std::int32_t>(random() % end);
     };
     Vertex vertex = {below(30) - 1, below(30) - 9, i / 100 + below(40) - 1};
-    if (below(8) == 0) vertex.z = 2000000000 + below(8);
+    if (below(8) == 0) vertex.z = far + below(8);
     if ((vertex.x + vertex.y + vertex.z) % 2 == 0) ++vertex.x;
     vertices.push_back(vertex);
   }
@@ -64,20 +65,24 @@ TEST_CASE("vertices that are added are numbered in the order in which they come 
 
 TEST_CASE(
     "the corners of polygons have a number for each vertex, and keep it when more are added") {
-  std::vector<Vertex> vertices = some_vertices(1);
-  VertexNumbers numbers(hand_made::polygon({0, 0, 1}, {vertices}));
-  check_numbers(numbers, vertices);
-  const std::vector<Vertex> before = numbers.positions();
-  for (const Vertex& vertex : some_vertices(2)) {
-    const std::uint32_t number = numbers.add(vertex);
-    REQUIRE(numbers.positions()[number] == vertex);
-    vertices.push_back(vertex);
+  constexpr std::int32_t near = 20, far = 2000000000;  // a slot for each block, and a hash
+  for (const std::int32_t z_of_some : {near, far}) {
+    CAPTURE(z_of_some);
+    std::vector<Vertex> vertices = some_vertices(1, z_of_some);
+    VertexNumbers numbers(hand_made::polygon({0, 0, 1}, {vertices}));
+    check_numbers(numbers, vertices);
+    const std::vector<Vertex> before = numbers.positions();
+    for (const Vertex& vertex : some_vertices(2, far)) {
+      const std::uint32_t number = numbers.add(vertex);
+      REQUIRE(numbers.positions()[number] == vertex);
+      vertices.push_back(vertex);
+    }
+    check_numbers(numbers, vertices);
+    CHECK(numbers.positions().size() > before.size());
+    CHECK(std::vector<Vertex>(
+              numbers.positions().begin(),
+              numbers.positions().begin() + static_cast<std::ptrdiff_t>(before.size())) == before);
   }
-  check_numbers(numbers, vertices);
-  CHECK(numbers.positions().size() > before.size());
-  CHECK(std::vector<Vertex>(
-            numbers.positions().begin(),
-            numbers.positions().begin() + static_cast<std::ptrdiff_t>(before.size())) == before);
 }
 
 TEST_CASE("vertices are numbered block by block, and in a block by z, y and x") {

@@ -39,6 +39,7 @@ void MeshParts::make_triangles(std::size_t number, Block& block) const {
   maker(block).make_apart(number, faces);
   if (sums_edges_) block.edge_sum = edge_sum(faces, numbers_of(faces.lattice));
   faces.vertices_mm.clear();
+  faces.vertices_mm.reserve(faces.lattice.size());
   for (const Vertex& vertex : faces.lattice) add_vertex(vertex, faces);
   place_(faces);
 }
@@ -51,8 +52,7 @@ PlaneFaces& MeshParts::maker(Block& block) const {
 std::vector<std::uint32_t> MeshParts::numbers_of(const std::vector<Vertex>& positions) const {
   std::vector<std::uint32_t> numbers;
   numbers.reserve(positions.size());
-  meshing::VertexNumbers::Finder finder(vertices_);
-  for (const Vertex& vertex : positions) numbers.push_back(finder.find(vertex));
+  for (const Vertex& vertex : positions) numbers.push_back(vertices_.find(vertex));
   return numbers;
 }
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <optional>
 #include <vector>
 
 #include "lattice_plane.hpp"
@@ -64,7 +63,7 @@ class Outline {
     }
   }
 
-  VertexNumbers::Finder all_;
+  const VertexNumbers& all_;
   bool has_junctions_;
 };
 
@@ -104,18 +103,19 @@ class OutlineTriangulator {
  public:
   // By places in the outline. Returns none as Triangulator::triangulate().
   const std::vector<Triangle>& triangulate(const Outline& outline, Incidence incidence) {
-    if (!outline.vertices.empty()) plane_.emplace(outline.vertices[0], incidence);
-    points_.clear();
-    for (const Vertex& vertex : outline.vertices) points_.push_back(plane_->at(vertex));
+    const std::vector<Vertex>& vertices = outline.vertices;
+    plane_ = LatticePlane(vertices.empty() ? Vertex{} : vertices[0], incidence);
+    points_.resize(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) points_[i] = plane_.at(vertices[i]);
     return triangulator_.triangulate(points_, outline.ring_ends);
   }
 
   // Belongs to the polygon that was triangulated last.
-  const LatticePlane& plane() const { return *plane_; }
+  const LatticePlane& plane() const { return plane_; }
   const std::vector<PlanePoint>& points() const { return points_; }
 
  private:
-  std::optional<LatticePlane> plane_;
+  LatticePlane plane_{{}, no_incidence};
   std::vector<PlanePoint> points_;
   Triangulator triangulator_;
 };

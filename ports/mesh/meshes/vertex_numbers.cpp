@@ -6,17 +6,53 @@
 
 namespace discmc::meshing {
 
+VertexNumbers::Block& VertexNumbers::block_at(const Vertex& origin) {
+  const std::uint32_t place = find_block(origin);
+  return place != none ? blocks_[place] : new_block(origin);
+}
+
+DISCMC_NOINLINE VertexNumbers::Block& VertexNumbers::new_block(const Vertex& origin) {
+  if (2 * blocks_.size() + 2 > slots_.size()) set_slots(2 * slots_.size());
+  slots_[slot_of(origin)] = static_cast<std::uint32_t>(blocks_.size());
+  blocks_.push_back({origin});
+  return blocks_.back();
+}
+
+void VertexNumbers::set_slots(std::size_t count) {
+  slots_.assign(count, none);
+  for (std::size_t place = 0; place < blocks_.size(); ++place)
+    slots_[slot_of(blocks_[place].origin)] = static_cast<std::uint32_t>(place);
+}
+
+// If the box around all corners has few blocks, gives each of them a slot of its own.
+void VertexNumbers::lay_out(const Array<Vertex>& corners) {
+  if (corners.empty()) return;
+  Vertex low = corners[0], high = low;
+  for (const Vertex& each : corners) {
+    low = {std::min(low.x, each.x), std::min(low.y, each.y), std::min(low.z, each.z)};
+    high = {std::max(high.x, each.x), std::max(high.y, each.y), std::max(high.z, each.z)};
+  }
+  const auto blocks_from = [](std::int32_t first, std::int32_t last) {
+    return static_cast<std::uint64_t>((std::int64_t{last} >> 3) - (std::int64_t{first} >> 3) + 1);
+  };
+  const std::uint64_t width = blocks_from(low.x, high.x), height = blocks_from(low.y, high.y),
+                      depth = blocks_from(low.z, high.z);
+  // At most 2^29 times 2^29, then times 2^29 of what is not more than the corners.
+  const std::uint64_t max_blocks = corners.size();
+  if (width * height > max_blocks || width * height * depth > max_blocks) return;
+  steps_ = {1, width, width * height};
+  std::size_t slots = 1;
+  while (slots < width * height * depth) slots *= 2;
+  set_slots(slots);
+}
+
 VertexNumbers::VertexNumbers(const Polygons& polygons) {
-  Block* block = nullptr;  // of the last corner, and mostly of the next
+  lay_out(polygons.corners());
   for (const Polygon& polygon : polygons)
-    for (const Ring& ring : polygon.rings)
-      for (const Vertex& corner : ring) {
-        const Vertex origin = origin_of(corner);
-        if (block == nullptr || block->origin != origin) block = &block_at(origin);
-        block->bits[Block::row(corner)] |= Block::bit(corner);
-      }
+    for (const Vertex& corner : polygon.rings.corners())
+      block_at(origin_of(corner)).bits[Block::row(corner)] |= Block::bit(corner);
   // Three polygons or more meet in a corner. What is reserved and not used costs nothing.
-  positions_.reserve(polygons.corner_count() / 3);
+  positions_.reserve(polygons.corners().size() / 3);
   for (Block& each : blocks_) number_block(each);
 }
 
@@ -39,23 +75,6 @@ void VertexNumbers::Block::count_rows() {
     before[row] = static_cast<std::uint8_t>(count);
     count += count_of(bits[row]);
   }
-}
-
-VertexNumbers::Block& VertexNumbers::block_at(const Vertex& origin) {
-  if (2 * blocks_.size() >= slots_.size()) grow();
-  std::uint32_t& place = slots_[slot_of(origin)];
-  if (place == none) {
-    place = static_cast<std::uint32_t>(blocks_.size());
-    blocks_.emplace_back().origin = origin;
-  }
-  return blocks_[place];
-}
-
-void VertexNumbers::grow() {
-  constexpr std::size_t min_slots = 64;
-  slots_.assign(std::max(min_slots, 2 * slots_.size()), none);
-  for (std::size_t place = 0; place < blocks_.size(); ++place)
-    slots_[slot_of(blocks_[place].origin)] = static_cast<std::uint32_t>(place);
 }
 
 void VertexNumbers::number_block(Block& block) {

@@ -2,6 +2,7 @@
 #ifndef DISCMC_MESH_MESHES_VERTEX_NUMBERS_HPP
 #define DISCMC_MESH_MESHES_VERTEX_NUMBERS_HPP
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -18,8 +19,6 @@ namespace discmc::meshing {
 /// first vertex plus the count of bits before its own. Blocks without a vertex take no memory.
 /// Limit: vertices of the lattice, which have an odd coordinate sum.
 class VertexNumbers {
-  struct Block;
-
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
@@ -36,33 +35,10 @@ class VertexNumbers {
     return place != none && blocks_[place].has(vertex) ? number(blocks_[place], vertex) : none;
   }
 
-  /// Finds numbers of vertices that lie near each other: mostly in the block of the one before.
-  class Finder {
-   public:
-    explicit Finder(const VertexNumbers& numbers) : numbers_(&numbers) {}
-
-    bool has(const Vertex& vertex) { return go_to(vertex) && block().has(vertex); }
-    /// As VertexNumbers::find().
-    std::uint32_t find(const Vertex& vertex) {
-      return has(vertex) ? numbers_->number(block(), vertex) : none;
-    }
-
-   private:
-    // Whether there is a block for the vertex.
-    bool go_to(const Vertex& vertex) {
-      const Vertex origin = origin_of(vertex);
-      if (place_ == none || origin_ != origin) {
-        origin_ = origin;
-        place_ = numbers_->find_block(origin);
-      }
-      return place_ != none;
-    }
-    const Block& block() const { return numbers_->blocks_[place_]; }
-
-    const VertexNumbers* numbers_;
-    Vertex origin_{};
-    std::uint32_t place_ = none;  // of the block there
-  };
+  bool has(const Vertex& vertex) const {
+    const std::uint32_t place = find_block(origin_of(vertex));
+    return place != none && blocks_[place].has(vertex);
+  }
 
   /// By their numbers.
   const std::vector<Vertex>& positions() const& { return positions_; }
@@ -104,26 +80,32 @@ class VertexNumbers {
     return block.list == none ? block.first + rank : numbers_[block.list][rank];
   }
 
-  std::uint32_t find_block(const Vertex& origin) const {
-    return slots_.empty() ? none : slots_[slot_of(origin)];
-  }
+  std::uint32_t find_block(const Vertex& origin) const { return slots_[slot_of(origin)]; }
   // The slot of the block, occupied or free.
   std::size_t slot_of(const Vertex& origin) const {
-    const std::uint64_t hash = static_cast<std::uint32_t>(origin.x) * 0x9E3779B97F4A7C15u +
-                               static_cast<std::uint32_t>(origin.y) * 0xC2B2AE3D27D4EB4Fu +
-                               static_cast<std::uint32_t>(origin.z) * 0x165667B19E3779F9u;
+    const auto part = [](std::int32_t coordinate, std::uint64_t step) {
+      return (static_cast<std::uint32_t>(coordinate) >> 3) * step;
+    };
+    const std::uint64_t hash =
+        part(origin.x, steps_[0]) + part(origin.y, steps_[1]) + part(origin.z, steps_[2]);
     const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = hash >> 32 & mask;
+    std::size_t slot = hash & mask;
     while (slots_[slot] != none && blocks_[slots_[slot]].origin != origin) slot = (slot + 1) & mask;
     return slot;
   }
   Block& block_at(const Vertex& origin);
-  void grow();
+  Block& new_block(const Vertex& origin);
+  void set_slots(std::size_t count);
+  void lay_out(const Array<Vertex>& corners);
   void number_block(Block& block);
   void list_numbers(Block& block);
 
-  std::vector<std::uint32_t> slots_;  // places of blocks, by a hash; half are free at least
-  std::vector<Block> blocks_;
+  // Places of blocks, by a hash; half are free at least. The hash is a sum of coordinates times
+  // steps.
+  std::vector<std::uint32_t> slots_{none};
+  std::array<std::uint64_t, 3> steps_{0x9E3779B97F4A7C15u, 0xC2B2AE3D27D4EB4Fu,
+                                      0x165667B19E3779F9u};
+  Array<Block> blocks_;
   std::vector<std::vector<std::uint32_t>> numbers_;
   std::vector<Vertex> positions_;
 };

@@ -58,7 +58,7 @@ LineSide line_side(const Vertex& from, Side side, std::uint32_t polygon) {
 
 std::vector<LineSide> sorted_sides(const Surface& surface) {
   std::vector<LineSide> sides;
-  sides.reserve(surface.polygons.corner_count());
+  sides.reserve(surface.polygons.corners().size());
   for (std::size_t i = 0; i < surface.polygons.size(); ++i)
     for (const Ring& ring : surface.polygons[i].rings)
       for (std::size_t k = 0; k < ring.size(); ++k)

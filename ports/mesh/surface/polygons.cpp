@@ -11,38 +11,81 @@ struct Polygons::Placed {
   Record record;
 };
 
+namespace {
+
+// Distributes items by their keys, in the order of keys. Items with the same key stay in order.
+// Returns where those of each key end.
+template <class Item, class KeyOf>
+std::vector<std::size_t> distribute(Array<Item>& items, std::size_t keys, KeyOf key_of) {
+  std::vector<std::size_t> ends(keys + 1);  // of each key: first the begin
+  for (const Item& item : items) ++ends[key_of(item) + 1];
+  for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
+  Array<Item> distributed;
+  distributed.resize(items.size());
+  for (const Item& item : items) distributed[ends[key_of(item)]++] = item;
+  items.swap(distributed);
+  ends.pop_back();
+  return ends;
+}
+
+// The least and the greatest.
+struct Range {
+  std::int64_t low = std::int64_t{1} << 31, high = -low;
+
+  void include(std::int64_t value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+}  // namespace
+
 // Polygons come nearly in this order: a row at a time, in layers of few coordinates z.
 void Polygons::sort() {
   constexpr std::int64_t max_layers = 1 << 11;
-  std::int64_t low = std::int64_t{1} << 31, high = -low;
-  for (const Record& record : records_) {
-    low = std::min<std::int64_t>(low, first_corner(record).z);
-    high = std::max<std::int64_t>(high, first_corner(record).z);
-  }
+  Range z;
+  for (const Record& record : records_) z.include(first_corner(record).z);
   int shift = 0;
-  while ((high - low) >> shift >= max_layers) ++shift;
-  const auto layer_of = [&](const Record& record) {
-    return static_cast<std::size_t>((first_corner(record).z - low) >> shift);
-  };
-  std::vector<std::size_t> ends(max_layers + 1);  // of each layer: first its begin
-  for (const Record& record : records_) ++ends[layer_of(record) + 1];
-  for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
-  Array<Record> in_order;
-  in_order.resize(records_.size());
-  for (const Record& record : records_) in_order[ends[layer_of(record)]++] = record;
-  std::size_t begin = 0;
+  while ((z.high - z.low) >> shift >= max_layers) ++shift;
+  const std::vector<std::size_t> ends = distribute(records_, max_layers, [&](const Record& record) {
+    return static_cast<std::size_t>((first_corner(record).z - z.low) >> shift);
+  });
   Array<Placed> layer;
+  std::size_t begin = 0;
   for (const std::size_t end : ends) {
     layer.resize(end - begin);
-    std::transform(in_order.begin() + begin, in_order.begin() + end, layer.begin(),
+    std::transform(records_.begin() + begin, records_.begin() + end, layer.begin(),
                    [this](const Record& record) {
                      return Placed{first_corner(record), record};
                    });
-    std::sort(layer.begin(), layer.end(), [this](const Placed& a, const Placed& b) {
-      return a.at != b.at ? precedes(a.at, b.at) : is_before(a.record, b.record);
-    });
+    if (shift == 0)
+      sort_rows(layer);
+    else
+      sort(layer.begin(), layer.end());
     std::transform(layer.begin(), layer.end(), records_.begin() + begin,
                    [](const Placed& placed) { return placed.record; });
+    begin = end;
+  }
+}
+
+void Polygons::sort(Placed* begin, Placed* end) const {
+  std::sort(begin, end, [this](const Placed& a, const Placed& b) {
+    return a.at != b.at ? precedes(a.at, b.at) : is_before(a.record, b.record);
+  });
+}
+
+// Sorts polygons whose first corners have the same coordinate z.
+void Polygons::sort_rows(Array<Placed>& layer) const {
+  if (layer.empty()) return;
+  Range y;
+  for (const Placed& placed : layer) y.include(placed.at.y);
+  const std::int64_t rows = y.high - y.low + 1;
+  if (rows > 4 * static_cast<std::int64_t>(layer.size())) return sort(layer.begin(), layer.end());
+  std::size_t begin = 0;
+  for (const std::size_t end : distribute(
+           layer, static_cast<std::size_t>(rows),
+           [&](const Placed& placed) { return static_cast<std::size_t>(placed.at.y - y.low); })) {
+    sort(layer.begin() + begin, layer.begin() + end);
     begin = end;
   }
 }

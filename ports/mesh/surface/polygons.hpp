@@ -58,6 +58,8 @@ class Rings {
   Iterator end() const { return {corners_, begins_ + size_}; }
   std::size_t size() const { return size_; }
   Ring operator[](std::size_t ring) const { return *Iterator(corners_, begins_ + ring); }
+  /// The corners of all rings, which lie one behind the other.
+  Ring corners() const { return {corners_ + begins_[0], corners_ + begins_[size_]}; }
 
  private:
   const Vertex* corners_;
@@ -112,8 +114,8 @@ class Polygons {
             {corners_.data(), ring_begins_.data() + record.first_ring, record.rings}};
   }
 
-  /// How many corners all rings have.
-  std::size_t corner_count() const { return corners_.size(); }
+  /// The corners of all rings, in the order in which polygons were added.
+  const Array<Vertex>& corners() const { return corners_; }
 
   /// Adds a polygon that has no ring yet.
   void add_polygon(Incidence incidence) {
@@ -161,6 +163,8 @@ class Polygons {
     return corners_[ring_begins_[record.first_ring]];
   }
   bool is_before(const Record& a, const Record& b) const;
+  void sort(Placed* begin, Placed* end) const;
+  void sort_rows(Array<Placed>& layer) const;
 
   Array<Record> records_;             // one per polygon
   Array<std::uint32_t> ring_begins_;  // in corners_; one more than rings
