@@ -27,23 +27,27 @@ std::string stl_header(const FileMesh& mesh, std::uint64_t triangles) {
 class TriangleWriter {
  public:
   explicit TriangleWriter(const Point& spacing_mm) {
-    for (Incidence i = 0; i < incidence_codes; ++i) normals_[i] = outward_normal(i, spacing_mm);
+    for (Incidence i = 0; i < incidence_codes; ++i)
+      put_floats(outward_normal(i, spacing_mm), normals_[i].data());
   }
 
   // The normal, three corners, and two bytes of zero.
   void write(const FileMesh& mesh, std::size_t face, Writer& writer) const {
-    constexpr std::size_t point_bytes = 3 * sizeof(float);
-    char record[4 * point_bytes + 2] = {};
-    char* place = put_floats(
-        mesh.incidences.empty() ? face_normal(mesh, face) : normals_[mesh.incidences[face]],
-        record);
+    char* place = writer.room_for(4 * point_bytes + 2);
+    if (mesh.incidences.empty())
+      put_floats(face_normal(mesh, face), place);
+    else
+      std::memcpy(place, normals_[mesh.incidences[face]].data(), point_bytes);
+    place += point_bytes;
     const std::uint32_t* const corners = mesh.face(face);
     for (std::size_t i = 0; i < 3; ++i) place = put_floats(mesh.vertices_mm[corners[i]], place);
-    std::memcpy(writer.room_for(sizeof record), record, sizeof record);
+    place[0] = place[1] = 0;
   }
 
  private:
-  std::array<Point, incidence_codes> normals_;
+  static constexpr std::size_t point_bytes = 3 * sizeof(float);
+
+  std::array<std::array<char, point_bytes>, incidence_codes> normals_;
 };
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "mesh_files.hpp"
 #include "mesh_parts.hpp"
 #include "meshing.hpp"
+#include "surface/array.hpp"
 
 namespace discmc::command {
 
@@ -59,7 +60,7 @@ inline char* put_floats(const Point& point, char* place) {
 /// Collects small writes, and makes a failing stream a std::runtime_error.
 class Writer {
  public:
-  explicit Writer(std::ostream& out) : out_(&out), buffer_(full) {}
+  explicit Writer(std::ostream& out) : out_(&out) { buffer_.resize(full); }
 
   void text(std::string_view text);
 
@@ -71,7 +72,7 @@ class Writer {
   /// The place of the next bytes, for the caller to fill. Limit: 64 KiB.
   char* room_for(std::size_t count) {
     if (used_ + count > buffer_.size()) make_room(count);
-    char* const place = buffer_.data() + used_;
+    char* const place = buffer_.begin() + used_;
     used_ += count;
     return place;
   }
@@ -131,14 +132,14 @@ class Writer {
   static constexpr std::size_t full = std::size_t{1} << 16;
   static constexpr std::size_t items_per_part = std::size_t{1} << 14;
 
-  Writer() : buffer_(full) {}  // of a part: without a stream
+  Writer() { buffer_.resize(full); }  // of a part: without a stream
 
   void make_room(std::size_t count);
   void write_through(std::string_view bytes);
   void flush();
 
   std::ostream* out_ = nullptr;
-  std::vector<char> buffer_;
+  meshing::Array<char> buffer_;
   std::size_t used_ = 0;
 };
 

@@ -6,14 +6,11 @@
 namespace discmc::meshing {
 namespace {
 
-// Ends faces of a polygon, whose corners were added.
-void end_faces(std::size_t count, std::size_t face_size, std::uint32_t polygon, Incidence incidence,
-               FaceMesh& mesh) {
-  for (std::size_t i = 0; i < count; ++i) {
-    mesh.face_begin.push_back(mesh.face_begin.back() + face_size);
-    mesh.incidences.push_back(incidence);
-    mesh.polygons.push_back(polygon);
-  }
+// Ends a face of a polygon, whose corners were added.
+void end_face(std::uint32_t polygon, Incidence incidence, FaceMesh& mesh) {
+  mesh.face_begin.push_back(mesh.corners.size());
+  mesh.incidences.push_back(incidence);
+  mesh.polygons.push_back(polygon);
 }
 
 }  // namespace
@@ -54,7 +51,7 @@ void PlaneFaces::add_polygon(std::uint32_t polygon, FaceMesh& mesh) {
       mesh.corners.insert(mesh.corners.end(), numbers.rbegin(), numbers.rend());
     else
       mesh.corners.insert(mesh.corners.end(), numbers.begin(), numbers.end());
-    return end_faces(1, numbers.size(), polygon, surface_.polygons[polygon].incidence, mesh);
+    return end_face(polygon, surface_.polygons[polygon].incidence, mesh);
   }
   add_triangles(polygon, mesh);
 }
@@ -63,15 +60,12 @@ void PlaneFaces::add_triangles(std::uint32_t polygon, FaceMesh& mesh) {
   const Incidence incidence = surface_.polygons[polygon].incidence;
   const std::vector<Triangle>& triangles = triangulator_.triangulate(outline_, incidence);
   if (triangles.empty()) return mesh.left_out.push_back(polygon);
-  const std::size_t begin = mesh.corners.size();
-  mesh.corners.resize(begin + 3 * triangles.size());
-  std::uint32_t* to = mesh.corners.data() + begin;
   for (const Triangle& triangle : triangles) {
-    *to++ = outline_.numbers[triangle[is_mirrored_ ? 2 : 0]];
-    *to++ = outline_.numbers[triangle[1]];
-    *to++ = outline_.numbers[triangle[is_mirrored_ ? 0 : 2]];
+    mesh.corners.push_back(outline_.numbers[triangle[is_mirrored_ ? 2 : 0]]);
+    mesh.corners.push_back(outline_.numbers[triangle[1]]);
+    mesh.corners.push_back(outline_.numbers[triangle[is_mirrored_ ? 0 : 2]]);
+    end_face(polygon, incidence, mesh);
   }
-  end_faces(triangles.size(), 3, polygon, incidence, mesh);
 }
 
 }  // namespace discmc::meshing

@@ -6,6 +6,8 @@
 
 #include <discmc/polygon.hpp>
 
+#include "plane_axes.hpp"
+
 namespace discmc::meshing {
 namespace {
 
@@ -166,35 +168,33 @@ bool SurfaceBuilder::add_corners(const Chain& chain) {
 bool SurfaceBuilder::is_simple_in_window(std::size_t first_corner) const {
   if (first_corner == corners_.size()) return true;
   constexpr std::int64_t size = 64;
-  const Vertex out = incidence_normal(incidence_);
-  const int left_out = out.z != 0 ? 2 : out.y != 0 ? 1 : 0;
-  const int u_axis = (left_out + 1) % 3, v_axis = (left_out + 2) % 3;
+  const auto [u_axis, v_axis, left_out] = plane_axes(incidence_);
   const Vertex* corner = corners_.data() + first_corner;
   const Vertex* const end = corners_.data() + corners_.size();
-  std::int64_t min_u = component(*corner, u_axis), min_v = component(*corner, v_axis);
-  std::int64_t u = min_u, v = min_v, max_u = u, max_v = v;
+  std::int64_t min_u = corner->*u_axis, min_v = corner->*v_axis, max_u = min_u, max_v = min_v;
   for (const Vertex* other = corner; other != end; ++other) {
-    const std::int64_t corner_u = component(*other, u_axis);
-    const std::int64_t corner_v = component(*other, v_axis);
-    min_u = std::min(min_u, corner_u);
-    max_u = std::max(max_u, corner_u);
-    min_v = std::min(min_v, corner_v);
-    max_v = std::max(max_v, corner_v);
+    min_u = std::min<std::int64_t>(min_u, other->*u_axis);
+    max_u = std::max<std::int64_t>(max_u, other->*u_axis);
+    min_v = std::min<std::int64_t>(min_v, other->*v_axis);
+    max_v = std::max<std::int64_t>(max_v, other->*v_axis);
   }
   if (max_u - min_u >= size || max_v - min_v >= size) return false;
-  std::uint64_t rows[size] = {};
+  std::uint64_t rows[size];
+  std::fill_n(rows, max_v - min_v + 1, 0);
+  std::int64_t u = corner->*u_axis - min_u, v = corner->*v_axis - min_v;
+  std::uint64_t recurring = 0;
   for (const Vertex* from = corner; from != end; ++from) {
     const Side side = side_between(*from, from + 1 != end ? from[1] : *corner);
+    const std::int64_t along_u = side.link.*u_axis, along_v = side.link.*v_axis;
     for (std::int32_t left = side.links; left > 0; --left) {
-      u += component(side.link, u_axis);
-      v += component(side.link, v_axis);
-      std::uint64_t& row = rows[v - min_v];
-      const std::uint64_t bit = std::uint64_t{1} << (u - min_u);
-      if ((row & bit) != 0) return false;
-      row |= bit;
+      u += along_u;
+      v += along_v;
+      const std::uint64_t bit = std::uint64_t{1} << u;
+      recurring |= rows[v] & bit;
+      rows[v] |= bit;
     }
   }
-  return true;
+  return recurring == 0;
 }
 
 // The corners since the last one are a simple ring. It begins at its last vertex, as the rings of
