@@ -175,7 +175,9 @@ TEST_CASE("files do not depend on the number of jobs") {
   const std::string volume = "extract v.raw --dims 40,40,70 --type u8 --iso 50 -q ";
   for (const std::string options :
        {"-o v.stl", "-o v.ply", "-o v.obj --normals surface", "-o v.glb --border open",
-        "-o v.ply --median 3 --largest 1", "-o v.dmc", "-o v.dmc --iso 80 --wire regions"}) {
+        "-o v.ply --median 3 --largest 1", "-o v.ply --surface interpolated",
+        "-o v.ply --smooth auto --triangles 3000", "-o v.dmc",
+        "-o v.dmc --iso 80 --wire regions"}) {
     CAPTURE(options);
     const std::string file = options.substr(3, 5);
     workshop.done(volume + options + " --jobs 1");
@@ -190,6 +192,28 @@ TEST_CASE("files do not depend on the number of jobs") {
   workshop.done(volume + "-o v.stl --jobs 1");
   workshop.done(volume + "-o all.stl");
   CHECK(workshop.read("all.stl") == workshop.read("v.stl"));
+}
+
+TEST_CASE("meshes of labels, and what is printed, do not depend on the number of jobs") {
+  const command_tests::Workshop workshop;
+  std::string labels;
+  for (int i = 0; i < 32 * 32 * 24; ++i) {
+    const int x = i % 32, y = i / 32 % 32, z = i / 1024;
+    labels.push_back(static_cast<char>(1 + x / 8 + 4 * (y / 8) + 16 * (z / 8)));
+  }
+  workshop.write("v.raw", labels);
+  const std::string volume = "extract v.raw --dims 32,32,24 --type u8 --labels all ";
+  for (const std::string options :
+       {"-o v.glb", "-o v.csv --bodies", "-o v.glb --smooth auto",
+        "-o v.3mf --smooth auto --triangles 10", "-o '{name}.stl' --largest 1 --max-error 0.1"}) {
+    CAPTURE(options);
+    const std::string file = options[3] == 'v' ? options.substr(3, 5) : "17.stl";
+    const std::string printed = workshop.done(volume + options + " --jobs 1");
+    const std::string one = workshop.read(file);
+    CHECK(one.size() > 100);
+    CHECK(workshop.done(volume + options + " --jobs 3") == printed);
+    CHECK(workshop.read(file) == one);
+  }
 }
 
 TEST_CASE("packets of parts are the regions of one sweep, in an order without regard to jobs") {
@@ -221,11 +245,5 @@ TEST_CASE("jobs that cannot be are refused, with the remedy") {
     workshop.fails("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options, 2, {part});
   };
   refused("-o v.stl --jobs 0", "--jobs");
-  refused("-o v.stl --jobs 2 --surface interpolated", "leave one out");
-  for (const std::string option : {"--smooth auto", "--triangles 99", "--max-error 1"}) {
-    const std::string name = option.substr(0, option.find(' '));
-    refused("-o v.stl --jobs 2 " + option, "cannot be combined with " + name + ", which");
-    refused("-o v.stl --jobs 2 " + option, "; leave out --jobs");
-  }
   refused("-o v.dmc --jobs 2 --normals gradient", "leave one out");
 }

@@ -102,26 +102,38 @@ std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>&
   return names;
 }
 
-MeshSummary MeshFiles::add(const SurfaceOutput& output) {
-  MeshSummary summary = are_one_ ? keep(output) : write_alone(output);
+std::optional<FileMesh> MeshFiles::made_ahead(const SurfaceOutput& output) const {
+  const bool is_written_later =
+      format_of(output.file) == Format::jsonl || (!are_one_ && may_write_parts(output));
+  if (is_written_later || arguments_.lists_bodies) return std::nullopt;
+  MeshingOptions options = options_of(arguments_, output);
+  options.jobs = 1;
+  FileMesh mesh = triangulated(output.surface, options);
+  if (arguments_.decimation.is_wanted()) decimate(mesh, arguments_.decimation);
+  return mesh;
+}
+
+MeshSummary MeshFiles::add(const SurfaceOutput& output, Made made) {
+  MeshSummary summary =
+      are_one_ ? keep(output, std::move(made)) : write_alone(output, std::move(made));
   output.surface = {};  // its memory is the next mesh's
   return summary;
 }
 
-MeshSummary MeshFiles::write_alone(const SurfaceOutput& output) {
-  if (file_) return write(output, *file_);
+MeshSummary MeshFiles::write_alone(const SurfaceOutput& output, Made made) {
+  if (file_) return write(output, std::move(made), *file_);
   OutputFile file(output.file);
-  return write(output, file);
+  return write(output, std::move(made), file);
 }
 
-MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) const {
+MeshSummary MeshFiles::write(const SurfaceOutput& output, Made made, OutputFile& file) const {
   if (const auto summary = write_parts(output, file)) return *summary;
   MeshSummary summary{"polygons", output.surface.polygons.size()};
   const Format format = format_of(output.file);
   if (format == Format::jsonl) {
     write_to(file, [&](std::ostream& out) { write_jsonl(output.surface, out); });
   } else {
-    const std::vector<FileMesh> meshes = meshes_of(output);
+    const std::vector<FileMesh> meshes = meshes_of(output, std::move(made));
     summary = summary_of(meshes);
     const FileMesh& mesh = meshes[0];
     if (format == Format::obj && mesh.colour && !is_standard_output(output.file)) {
@@ -139,14 +151,18 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
   return summary;
 }
 
-// Without a mesh in memory, where the format and the options allow.
+// Whether the options and the format allow to write without a mesh in memory.
+bool MeshFiles::may_write_parts(const SurfaceOutput& output) const {
+  const Format format = format_of(output.file);
+  return output.crossings == nullptr && !arguments_.decimation.is_wanted() &&
+         arguments_.normals == Normals::none && !arguments_.lists_bodies &&
+         (format == Format::stl || format == Format::ply);
+}
+
+// Without a mesh in memory, if that is possible.
 std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
                                                   OutputFile& file) const {
-  const Format format = format_of(output.file);
-  const bool is_plain = output.crossings == nullptr && !arguments_.decimation.is_wanted() &&
-                        arguments_.normals == Normals::none && !arguments_.lists_bodies;
-  if (!is_plain || (format != Format::stl && format != Format::ply) || !file.can_seek())
-    return std::nullopt;
+  if (!may_write_parts(output) || !file.can_seek()) return std::nullopt;
   const MeshParts parts(output.surface, options_of(arguments_, output), !arguments_.is_quiet,
                         [&](FileMesh& part) {
                           place_in_file(part, placement_, arguments_.size);
@@ -155,7 +171,7 @@ std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
   if (!suits_floats(parts.bounds())) return std::nullopt;
   MeshTotals totals;
   write_to(file, [&](std::ostream& out) {
-    totals = format == Format::stl ? write_stl(parts, out) : write_ply(parts, out);
+    totals = format_of(output.file) == Format::stl ? write_stl(parts, out) : write_ply(parts, out);
   });
   note_left_out(output.title, output.surface, totals.left_out);
   file.commit();
@@ -164,8 +180,8 @@ std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
   return summary;
 }
 
-MeshSummary MeshFiles::keep(const SurfaceOutput& output) {
-  std::vector<FileMesh> meshes = meshes_of(output);
+MeshSummary MeshFiles::keep(const SurfaceOutput& output, Made made) {
+  std::vector<FileMesh> meshes = meshes_of(output, std::move(made));
   const MeshSummary summary = summary_of(meshes);
   std::move(meshes.begin(), meshes.end(), std::back_inserter(meshes_));
   return summary;
@@ -181,25 +197,32 @@ void MeshFiles::finish() {
 }
 
 // One, or one for each body.
-std::vector<FileMesh> MeshFiles::meshes_of(const SurfaceOutput& output) const {
+std::vector<FileMesh> MeshFiles::meshes_of(const SurfaceOutput& output, Made made) const {
   std::vector<FileMesh> meshes;
   if (!arguments_.lists_bodies) {
-    meshes.push_back(mesh_of(output));
+    meshes.push_back(mesh_of(output, std::move(made)));
     return meshes;
   }
   for (Surface& body : bodies(output.surface)) {
     SurfaceOutput alone{body, output.selection, output.file, output.title, output.crossings};
-    meshes.push_back(mesh_of(alone));
+    meshes.push_back(mesh_of(alone, {}));
     meshes.back().name += (meshes.back().name.empty() ? "" : " ") + std::to_string(meshes.size());
   }
-  if (meshes.empty()) meshes.push_back(mesh_of(output));
+  if (meshes.empty()) meshes.push_back(mesh_of(output, {}));
   return meshes;
 }
 
-FileMesh MeshFiles::mesh_of(const SurfaceOutput& output) const {
-  FileMesh mesh = triangulated(output.surface, options_of(arguments_, output));
+FileMesh MeshFiles::mesh_of(const SurfaceOutput& output, Made made) const {
+  FileMesh mesh =
+      made ? std::move(*made) : triangulated(output.surface, options_of(arguments_, output));
   note_left_out(output.title, output.surface, mesh.left_out);
-  decimate_noted(output.title, arguments_.decimation, mesh);
+  if (arguments_.decimation.is_wanted()) {
+    if (!made) {
+      const Progress progress("decimating");
+      decimate(mesh, arguments_.decimation);
+    }
+    note_decimated(output.title, arguments_.decimation, mesh.face_count());
+  }
   add_normals(arguments_, output.selection.selection, output.surface, mesh);
   place_in_file(mesh, placement_, arguments_.size);
   mesh.colour = output.selection.colour;

@@ -7,6 +7,7 @@
 
 #include "arguments.hpp"
 #include "files/output_file.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "meshing.hpp"
 #include "samples/volume_placement.hpp"
 #include "summary.hpp"
@@ -41,19 +42,27 @@ class MeshFiles {
   /// names.
   std::vector<std::string> names_for(const std::vector<NamedSelection>& selections);
 
+  /// Makes the mesh of a surface for add(), unless that makes it while it writes. May be called by
+  /// several threads.
+  std::optional<FileMesh> made_ahead(const SurfaceOutput& output) const;
+
   /// Writes the mesh of a surface, or keeps it for the file of all; the surface is then empty.
-  MeshSummary add(const SurfaceOutput& output);
+  /// made: by made_ahead(), if it was called.
+  MeshSummary add(const SurfaceOutput& output, std::optional<FileMesh> made = {});
 
   /// Writes the file of all, if that is asked for, and prints its size.
   void finish();
 
  private:
-  MeshSummary write(const SurfaceOutput& output, OutputFile& file) const;
+  using Made = std::optional<FileMesh>;
+
+  bool may_write_parts(const SurfaceOutput& output) const;
   std::optional<MeshSummary> write_parts(const SurfaceOutput& output, OutputFile& file) const;
-  MeshSummary write_alone(const SurfaceOutput& output);
-  MeshSummary keep(const SurfaceOutput& output);
-  std::vector<FileMesh> meshes_of(const SurfaceOutput& output) const;
-  FileMesh mesh_of(const SurfaceOutput& output) const;
+  MeshSummary write(const SurfaceOutput& output, Made made, OutputFile& file) const;
+  MeshSummary write_alone(const SurfaceOutput& output, Made made);
+  MeshSummary keep(const SurfaceOutput& output, Made made);
+  std::vector<FileMesh> meshes_of(const SurfaceOutput& output, Made made) const;
+  FileMesh mesh_of(const SurfaceOutput& output, Made made) const;
   MeshSummary summary_of(const std::vector<FileMesh>& meshes) const;
   const char* name_of_faces() const {
     return arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons";

@@ -15,6 +15,7 @@
 #include "extract_files.hpp"
 #include "extraction/labels.hpp"
 #include "files/write_failure.hpp"
+#include "jobs/ordered_pipeline.hpp"
 #include "mesh_output.hpp"
 #include "meshes/surface_normals.hpp"
 #include "pictures/srgb.hpp"
@@ -98,9 +99,9 @@ std::vector<FoundLabel> surfaces_of(VolumeReader& volume, const ExtractArguments
                                     std::optional<std::set<LabelValue>> chosen) {
   const auto deviation = smoothing_mm(arguments.reading, volume.info());
   Progress progress(deviation ? "reading" : "extracting", volume.info().dims[2]);
-  const LabelOptions options{arguments.reading.border, arguments.reading.median > 0,
-                             std::move(chosen),
-                             [&progress](std::uint32_t slices) { progress.show(slices); }};
+  const LabelOptions options{
+      arguments.reading.border, arguments.reading.median > 0, std::move(chosen),
+      [&progress](std::uint32_t slices) { progress.show(slices); }, jobs_of(arguments)};
   try {
     return deviation ? smoothed_labels_of(volume, options, *deviation, arguments.mesh.tolerance)
                      : extracted_labels(volume, options);
@@ -254,24 +255,34 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   std::ostream& table = table_stream(arguments.output);
   if (!arguments.is_quiet)
     table << "   label        voxels       faces  " << (files.are_one() ? "name" : "file") << '\n';
-  bool has_mesh = false;
+  std::vector<SurfaceOutput> outputs;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    LabelledSurface& label = labels[i].surface;
-    const std::string titled = volume + ": " + title(selections[i]);
-    keep_chosen(titled, arguments.components, label.surface);
-    if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
-      print_message(arguments.volume,
-                    title(selections[i]) + " has no surface; " + names[i] +
-                        (files.are_one() ? " does not contain it" : " is not written"));
-      continue;
-    }
     const bool moves = arguments.interpolates() && labels[i].crossings;
-    const MeshSummary mesh = files.add({label.surface, selections[i], names[i], titled,
-                                        moves ? &labels[i].crossings->crossings() : nullptr});
-    has_mesh = true;
-    if (!arguments.is_quiet)
-      print_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i], table);
+    outputs.push_back({labels[i].surface.surface, selections[i], names[i],
+                       volume + ": " + title(selections[i]),
+                       moves ? &labels[i].crossings->crossings() : nullptr});
+    keep_chosen(outputs[i].title, arguments.components, outputs[i].surface);
   }
+  const auto has_surface = [&](std::size_t i) {
+    return !outputs[i].surface.polygons.empty() || arguments.reading.allows_empty;
+  };
+  bool has_mesh = false;
+  run_in_order<std::optional<FileMesh>>(
+      jobs_of(arguments), names.size(), [](std::size_t, auto&) {},
+      [&](std::size_t i, auto& made) {
+        if (has_surface(i)) made = files.made_ahead(outputs[i]);
+      },
+      [&](std::size_t i, auto& made) {
+        if (!has_surface(i))
+          return print_message(arguments.volume,
+                               title(selections[i]) + " has no surface; " + names[i] +
+                                   (files.are_one() ? " does not contain it" : " is not written"));
+        const MeshSummary mesh = files.add(outputs[i], std::move(made));
+        has_mesh = true;
+        if (!arguments.is_quiet)
+          print_line(labels[i].surface, mesh.face_count,
+                     files.are_one() ? selections[i].name : names[i], table);
+      });
   if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
     throw std::runtime_error(
         volume + ": no label has a surface left, so " + output_for_people(arguments.output) +

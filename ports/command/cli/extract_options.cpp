@@ -189,22 +189,11 @@ void check_slab(const ExtractArguments& arguments) {
            "leave out --normals, and give discmc decode --normals gradient --volume FILE");
 }
 
-void check_jobs(const ExtractArguments& arguments, const CLI::Option& surface) {
+void check_jobs(const ExtractArguments& arguments) {
   if (!arguments.jobs) return;
   const bool is_stream = format_of(arguments.output) == Format::stream;
-  if (arguments.interpolates() && surface.count() == 0 && arguments.labels.empty()) {
-    const std::string option = arguments.reading.smooth_mm          ? "--smooth"
-                               : arguments.decimation.triangles > 0 ? "--triangles"
-                                                                    : "--max-error";
-    refuse("--jobs",
-           "cannot be combined with " + option + ", which interpolates the surface; " +
-               (arguments.reading.smooth_mm ? "leave out --jobs"
-                                            : "leave out --jobs, or add --surface merged"));
-  }
-  if (!is_divisible(arguments))
-    refuse("--jobs",
-           "cannot be combined with --memory, --capacities, --labels or --surface interpolated; "
-           "leave one out");
+  if (arguments.reading.memory > 0 || !arguments.reading.capacities.empty())
+    refuse("--jobs", "cannot be combined with --memory or --capacities; leave one out");
   if (is_stream && (arguments.wire == Wire::slices || arguments.normals == Normals::gradient))
     refuse("--jobs",
            "cannot be combined with --wire slices, where each slice is coded after the one before, "
@@ -247,7 +236,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_wire(arguments);
   check_levels(arguments);
   check_slab(arguments);
-  check_jobs(arguments, *app.get_option("--surface"));
+  check_jobs(arguments);
 }
 
 // "2/7". Throws where it is none.
@@ -358,8 +347,8 @@ Command add_extract(CLI::App& app) {
                      "from the samples of the volume; also in a .dmc stream");
   extract
       ->add_option("-j,--jobs", arguments->jobs,
-                   "work on N parts of the volume at once (default: for a mesh, the number of "
-                   "cores; for a stream, one core). The mesh is the same for every N")
+                   "work on N parts of the volume, or N labels, at once (default: for a mesh, the "
+                   "number of cores; for a stream, one core). The mesh is the same for every N")
       ->check(CLI::Range(1U, max_jobs))
       ->option_text("N");
   add_mesh_options(*extract, arguments->mesh);

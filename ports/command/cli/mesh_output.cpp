@@ -107,13 +107,10 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
                           " bodies and cavities are kept");
 }
 
-void decimate_noted(const std::string& name, const Decimation& decimation, FileMesh& mesh) {
-  if (!decimation.is_wanted()) return;
-  const Progress progress("decimating");
-  decimate(mesh, decimation);
-  if (decimation.triangles == 0 || mesh.face_count() <= decimation.triangles) return;
+void note_decimated(const std::string& name, const Decimation& decimation, std::size_t triangles) {
+  if (decimation.triangles == 0 || triangles <= decimation.triangles) return;
   print_message(name, "--triangles " + std::to_string(decimation.triangles) + ": the mesh has " +
-                          std::to_string(mesh.face_count()) +
+                          std::to_string(triangles) +
                           (decimation.max_error_mm > 0
                                ? " triangles, because fewer would exceed --max-error"
                                : " triangles, because with fewer bodies or openings would be lost, "

@@ -52,8 +52,9 @@ void note_left_out(const std::string& input, const Surface& surface,
 /// the volume or stream, and of the surface if there are several.
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface);
 
-/// Decimates a mesh, and reports if more triangles are left than asked for. name: as keep_chosen().
-void decimate_noted(const std::string& name, const Decimation& decimation, FileMesh& mesh);
+/// Prints that a decimated mesh has more triangles than were asked for, if it has. name: as
+/// keep_chosen().
+void note_decimated(const std::string& name, const Decimation& decimation, std::size_t triangles);
 
 /// A second pass over the volume of a mesh.
 void add_gradient_normals(SliceReader& volume, FileMesh& mesh);

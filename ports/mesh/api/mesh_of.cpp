@@ -89,6 +89,7 @@ LabelOptions label_options(const SampleGrid& info, const MeshOptions& options,
                            const std::vector<std::int64_t>& labels) {
   LabelOptions wanted;
   wanted.border = options.border;
+  wanted.jobs = threads_of(options);
   wanted.progress = [&options, slices = info.dims[2]](std::uint32_t done) {
     report(options, "extracting", done, slices);
   };

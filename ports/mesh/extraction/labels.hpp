@@ -24,6 +24,8 @@ struct LabelOptions {
   std::optional<std::set<LabelValue>> chosen{};
   /// Called after every slice with how many are done.
   std::function<void(std::uint32_t)> progress;
+  /// This many threads smooth labels, one each. The surfaces are the same.
+  unsigned jobs = 1;
 
   bool takes(LabelValue value) const {
     return value != LabelValue(0) && (!chosen || chosen->count(value) > 0);

@@ -119,6 +119,15 @@ void run_in_order(unsigned jobs, std::size_t count, Fill fill, Work work, Take t
   OrderedPipeline<Item, Fill, Work, Take>(jobs, count, fill, work, take).run();
 }
 
+/// Calls work(number) for 0 to count - 1, by as many threads as there are jobs, in any order.
+template <class Work>
+void for_each_in_parallel(unsigned jobs, std::size_t count, Work work) {
+  struct Nothing {};
+  const auto no_step = [](std::size_t, Nothing&) {};
+  run_in_order<Nothing>(
+      jobs, count, no_step, [&work](std::size_t number, Nothing&) { work(number); }, no_step);
+}
+
 }  // namespace discmc::meshing
 
 #endif

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "jobs/ordered_pipeline.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/outline.hpp"
 #include "surface/components.hpp"
@@ -75,7 +76,7 @@ class VolumeKeeper {
   void keep() {
     constexpr unsigned max_meshes = 3;
     for (unsigned meshes = 0; meshes < max_meshes; ++meshes) {
-      for (std::size_t i = 0; i < surfaces_.size(); ++i) add_mesh(i);
+      for_each_in_parallel(keeping_.jobs, surfaces_.size(), [this](std::size_t i) { add_mesh(i); });
       const bool is_kept = balance();
       for (const Piece& piece : pieces_) move_crossings(piece);
       if (is_kept) return;

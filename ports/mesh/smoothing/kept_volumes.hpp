@@ -24,6 +24,7 @@ struct VolumeKeeping {
   double min_distance_mm = 0;  ///< how near to a voxel the surface comes
   double max_shift_mm = 0;     ///< that a surface is moved
   bool is_closed = true;       ///< otherwise nothing is moved to keep a volume
+  unsigned jobs = 1;           ///< how many threads make the meshes of surfaces
   std::function<void()> check{};
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "extraction/moved_surface.hpp"
 #include "extraction/surfaces.hpp"
+#include "jobs/ordered_pipeline.hpp"
 #include "smoothed_volume.hpp"
 #include "surface/joined_surface.hpp"
 
@@ -91,11 +94,17 @@ class LabelSmoother {
 
   std::vector<SmoothedLabel> smoothed(
       const std::function<void(std::size_t, std::size_t)>& progress) const {
+    const std::vector<std::pair<Sample, LabelBox>> boxes(boxes_.begin(), boxes_.end());
     std::vector<SmoothedLabel> all;
-    for (const auto& [label, box] : boxes_) {
-      all.push_back(smoothed(label, box));
-      if (progress) progress(all.size(), boxes_.size());
-    }
+    run_in_order<std::optional<SmoothedLabel>>(
+        options_.jobs, boxes.size(), [](std::size_t, auto&) {},
+        [&](std::size_t number, auto& label) {
+          label = smoothed(boxes[number].first, boxes[number].second);
+        },
+        [&](std::size_t, auto& label) {
+          all.push_back(std::move(*label));
+          if (progress) progress(all.size(), boxes.size());
+        });
     keep_all_volumes(all);
     all.erase(std::remove_if(all.begin(), all.end(),
                              [this](const SmoothedLabel& label) {
@@ -150,6 +159,7 @@ class LabelSmoother {
     for (const auto& each : boxes_) places.emplace(each.first, places.size());
     VolumeKeeping keeping =
         SmoothedVolume::keeping(info_, deviation_mm_, tolerance_, options_.border);
+    keeping.jobs = options_.jobs;
     keeping.surface_of = [&](const Vertex& voxel) {
       const auto at = [](std::int32_t half_steps) {
         return static_cast<std::size_t>(half_steps / 2);

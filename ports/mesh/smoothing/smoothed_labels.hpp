@@ -22,8 +22,8 @@ struct SmoothedLabel {
 /// label does not depend on which others are chosen. progress: called with how many labels are
 /// done, and with their number; that of the options is called before, after every slice that is
 /// read. tolerance: as VolumeKeeping. Limit: takes no majority.
-/// Cost: memory of the volume, of the box of a label, and of the meshes of all labels; all labels
-/// are smoothed, chosen or not.
+/// Cost: memory of the volume, of the box of one label per job, and of the meshes of all labels.
+/// All labels are smoothed, chosen or not.
 std::vector<SmoothedLabel> smoothed_labels(
     SliceReader& volume, const LabelOptions& options, double deviation_mm, double tolerance,
     const std::function<void(std::size_t done, std::size_t all)>& progress);
