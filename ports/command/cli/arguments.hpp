@@ -1,4 +1,4 @@
-// The arguments of the commands, as they are after the command line was read.
+// The parsed arguments of the commands.
 #pragma once
 
 #include <array>
@@ -24,38 +24,38 @@
 
 namespace discmc::command {
 
-/// What is on in a surface, and what the user calls it.
+/// What is on in a surface, and the user's name for it.
 struct NamedSelection {
   Selection selection;
   std::string given;                    ///< on the command line: "300", "otsu", "5,right lung"
-  std::string name = given;             ///< the same, or what the label is called
+  std::string name = given;             ///< the label's own name, if it has one
   std::optional<Srgb> colour{};         ///< of a label, if it has one
-  std::optional<ThresholdRule> rule{};  ///< by which the selection is still to be found
-  bool is_label = false;                ///< which is looked up as the volume is opened
+  std::optional<ThresholdRule> rule{};  ///< finds the selection later
+  bool is_label = false;                ///< looked up when the volume is opened
 
   bool has_upper_end() const { return is_label || selection.has_upper_end(); }
 };
 
-/// How a volume is read and its surface taken: of every command that takes one.
+/// How a volume is read and its surface extracted, for all commands that do so.
 struct VolumeArguments {
   std::vector<NamedSelection> selections;  ///< one per surface
   Border border = Border::closed;
-  std::uint32_t median = 0;  ///< voxels across the filter of bits; 0: none
-  std::string mask;          ///< the file of a volume, or none
-  double close_mm = 0;       ///< radius by which the selected voxels are closed; 0: they are not
-  /// Deviation by which the selected voxels are smoothed; 0: by the spacing. Units: millimetres
+  std::uint32_t median = 0;  ///< width of the filter of bits, in voxels; 0: none
+  std::string mask;          ///< the file of the mask, or empty
+  double close_mm = 0;       ///< radius of the closing; 0: none
+  /// Deviation of the smoothing; 0: chosen by the spacing. Units: millimetres
   std::optional<double> smooth_mm;
-  bool allows_empty = false;  ///< surfaces
+  bool allows_empty = false;  ///< accepts empty surfaces
   std::uint64_t memory = 0;
-  std::vector<std::uint32_t> capacities;  ///< slots and holes, or none
+  std::vector<std::uint32_t> capacities;  ///< slots and holes, or empty
   VolumeOptions options;
-  std::string label_table;  ///< file of the names of labels, or none
+  std::string label_table;  ///< file with the names of labels, or empty
 
-  /// Whether the surfaces are those of labels.
+  /// Whether the surfaces are surfaces of labels.
   bool selects_labels() const { return !selections.empty() && selections[0].is_label; }
 };
 
-/// The coordinates of a mesh: of the patient, or index times spacing.
+/// The coordinates of a mesh: in the patient's space, or index times spacing.
 enum class MeshSpace { lps, ras, voxel };
 
 /// One of `count` slabs of a volume, counted from 1 at its first slice.
@@ -71,21 +71,21 @@ enum class SurfaceKind { merged, interpolated, relaxed };
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
-  std::string labels;  ///< "all" or a list, a surface each, in place of selections; or none
+  std::string labels;  ///< "all" or a list, one surface each; replaces `selections`
   std::string output = "-";
-  std::string format;  ///< of standard output; then in the name of the output
+  std::string format;  ///< of standard output; later part of `output`
   Normals normals = Normals::none;
   Wire wire = Wire::regions;
-  std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
-  std::uint8_t levels = 0;       ///< of the fractions in slices; 0: none
-  std::uint16_t scan = 0;        ///< the number in a stream
+  std::uint32_t key_slices = 0;  ///< interval of key slices; 0: only the first
+  std::uint8_t levels = 0;       ///< levels of the fractions in slices; 0: none
+  std::uint16_t scan = 0;        ///< number of the scan in a stream
   std::optional<SlabChoice> slab;
-  std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
+  std::optional<unsigned> jobs;  ///< default: all cores for a mesh, one for a stream
   MeshingOptions mesh{true, Faces::triangles};
   ComponentChoice components;
-  bool lists_bodies = false;       ///< measures have a row for each body
+  bool lists_bodies = false;       ///< prints the measures of each body
   Decimation decimation;           ///< of each mesh
-  std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
+  std::optional<MeshSpace> space;  ///< default: LPS if the file has a space, else its own
   MeshSize size;
   SurfaceKind surface = SurfaceKind::merged;
   bool is_quiet = false;
@@ -102,7 +102,7 @@ inline bool is_divisible(const ExtractArguments& arguments) {
 /// The arguments of `info`.
 struct InfoArguments {
   std::string input;
-  std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
+  std::optional<bool> is_volume;  ///< default: by the first bytes
   StreamChoice choice;
   VolumeOptions options;
 };
@@ -112,13 +112,13 @@ struct StreamArguments {
   std::string stream;
   StreamChoice choice;
   std::string output;
-  std::string format;  ///< as of ExtractArguments
+  std::string format;  ///< as ExtractArguments::format
   Normals normals = Normals::none;
-  std::string volume;  ///< whose gradient it is
+  std::string volume;  ///< file from which gradient normals are computed
   VolumeOptions options;
   MeshingOptions mesh{true, Faces::triangles};
   ComponentChoice components;
-  std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
+  std::optional<MeshSpace> space;  ///< default: LPS if the file has a space, else its own
   MeshSize size;
   SurfaceKind surface = SurfaceKind::merged;
 };
@@ -127,11 +127,11 @@ struct StreamArguments {
 struct JoinArguments {
   std::vector<std::string> streams;
   std::string output;
-  std::uint64_t memory = std::uint64_t{1} << 30;  ///< what outgrows it goes to a temporary file
+  std::uint64_t memory = std::uint64_t{1} << 30;  ///< the rest goes to a temporary file
   bool is_quiet = false;
 };
 
-/// What an input with a surface is.
+/// The kind of an input that has a surface.
 enum class InputKind { mesh, stream, volume };
 
 /// The arguments of `render`.
@@ -140,7 +140,7 @@ struct RenderArguments {
   InputKind kind = InputKind::stream;
   StreamChoice choice;
   VolumeArguments reading;
-  std::string labels;  ///< as of ExtractArguments
+  std::string labels;  ///< as ExtractArguments::labels
   ComponentChoice components;
   SurfaceKind surface = SurfaceKind::merged;
   double tolerance = MeshingOptions().tolerance;
@@ -157,15 +157,15 @@ struct RenderArguments {
 /// The arguments of `view`.
 struct ViewArguments {
   std::string input;
-  std::optional<InputKind> kind;  ///< else a volume or a stream, by its first bytes
-  VolumeArguments reading;        ///< without a selection or labels the samples are shown
-  std::string labels;             ///< as of ExtractArguments
-  SurfaceKind surface = SurfaceKind::merged;  ///< of a stream
+  std::optional<InputKind> kind;  ///< default: volume or stream, by the first bytes
+  VolumeArguments reading;        ///< without a selection or labels, the page shows the samples
+  std::string labels;             ///< as ExtractArguments::labels
+  SurfaceKind surface = SurfaceKind::merged;  ///< surface of a stream
   double tolerance = MeshingOptions().tolerance;
-  std::string output;  ///< none where it is served
+  std::string output;  ///< empty if the page is served
   bool opens = true;
   bool serves = false;
-  std::uint16_t port = 0;  ///< 0: any that is free
+  std::uint16_t port = 0;  ///< 0: any free port
 };
 
 /// The arguments of `tune`.

@@ -8,11 +8,11 @@ namespace discmc::command {
 
 struct Command {
   CLI::App* app;             ///< Owner: the command line
-  std::function<int()> run;  ///< with the arguments that were parsed; returns the exit code
+  std::function<int()> run;  ///< runs with the parsed arguments; returns the exit code
 };
 
-// One command each, in a file of its name; the last two, which describe all commands, in
-// documents.cpp.
+// Each adds one command and is in the file named after it. The last two, which describe all
+// commands, are in documents.cpp.
 
 Command add_extract(CLI::App& app);
 Command add_decode(CLI::App& app);

@@ -1,5 +1,5 @@
-// The commands. Each takes its arguments, does all, and returns the exit code of the program.
-// On failure they throw std::exception with the message for the user.
+// The commands. Each runs with its arguments and returns the exit code of the program. On failure
+// they throw std::exception with the message for the user.
 #pragma once
 
 #include "arguments.hpp"

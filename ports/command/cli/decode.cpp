@@ -1,4 +1,4 @@
-// discmc decode: a stream to a mesh, or to another stream.
+// discmc decode: converts a stream to a mesh, or to another stream.
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -24,7 +24,7 @@
 namespace discmc::command {
 namespace {
 
-// Re-encodes a stream: the regions that were whole, and those that are joined from fragments.
+// Re-encodes a stream: its whole regions, and the regions joined from fragments.
 class Recoder {
  public:
   explicit Recoder(const ByteOutput& output) : output_(output) {}
@@ -54,7 +54,7 @@ class Recoder {
   bool is_started_ = false;
 };
 
-// A part of the right size may still lie elsewhere than that of the stream.
+// A part of the same extents may still have another place in the volume.
 void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
   if (!volume.whole_dims || !decoded.placement) return;
   VolumeInfo of_stream = volume;
@@ -68,8 +68,8 @@ void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
   throw std::invalid_argument(text.str());
 }
 
-// Opens the volume that a stream was made of. A headerless one gets the spacing of the stream
-// before it was shrunk, unless another spacing is given.
+// Opens the volume from which the stream was made. A headerless volume gets the spacing that the
+// stream had before it was shrunk, unless the user gives another spacing.
 std::unique_ptr<SliceReader> open_volume_of(const DecodedStream& decoded,
                                             const StreamArguments& arguments) {
   const StreamHeader& header = decoded.header;

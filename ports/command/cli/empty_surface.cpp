@@ -14,7 +14,7 @@ std::string end_text(double value) {
   return std::isfinite(value) ? value_text(value) : std::string();
 }
 
-// As in "no voxel reaches 300".
+// Example: "no voxel reaches 300".
 std::string condition(const NamedSelection& surface) {
   const Selection& selection = surface.selection;
   if (surface.is_label) return "has label " + surface.name;
@@ -22,7 +22,7 @@ std::string condition(const NamedSelection& surface) {
   return "is in " + end_text(selection.low) + ".." + end_text(selection.high);
 }
 
-// As in "every voxel reaches 300".
+// Example: "every voxel reaches 300".
 std::string every_voxel(const VolumeArguments& arguments, const NamedSelection& surface) {
   return (arguments.median > 0 ? "after --median every voxel " : "every voxel ") +
          condition(surface);
@@ -36,7 +36,7 @@ std::string reason(const VolumeArguments& arguments, const NamedSelection& surfa
       !surface.is_label && selection.low <= range.least && range.greatest <= selection.high;
   if (is_full || (arguments.border == Border::open && has_all && arguments.mask.empty()))
     return every_voxel(arguments, surface) + ", so a surface with --border open is empty";
-  // The samples of labels are bits of several, so their range does not answer it.
+  // A sample of labels holds bits of several labels, so the range of samples does not answer this.
   const bool is_reached =
       surface.is_label || (selection.low <= range.greatest && selection.high >= range.least);
   const std::string end = surface.is_label ? ", or no voxel has that label" : "";
@@ -49,13 +49,13 @@ std::string reason(const VolumeArguments& arguments, const NamedSelection& surfa
   return "no voxel " + condition(surface);
 }
 
-// As in "the values are 0 to 255".
+// Example: "the values are 0 to 255".
 std::string values_text(const std::optional<ValueRange>& range) {
   if (!range) return "no value is finite";
   return "the values are " + value_text(range->least) + " to " + value_text(range->greatest);
 }
 
-// As in ", the values are 0 to 255; choose a threshold with discmc info".
+// Example: ", the values are 0 to 255; choose a threshold with discmc info".
 std::string what_there_is(const NamedSelection& surface, const MeasuredVolume& volume) {
   if (surface.is_label) return "; list the labels with discmc info";
   return ", and " + values_text(volume.range()) + "; choose a threshold with discmc info";

@@ -1,4 +1,4 @@
-// The messages for a surface that is empty, or is the box of the whole volume.
+// The messages for a surface that is empty, or that is the box of the whole volume.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace discmc::command {
 
-/// Returns why the surface of the volume is empty, with the range of the values. volume: has been
-/// read. is_full: whether every voxel is known to be on.
+/// Returns why the surface of the volume is empty, with the range of the values. volume: read to
+/// its end. is_full: whether every voxel is certain to be on.
 std::string why_empty(const std::string& path, const VolumeArguments& arguments,
                       const NamedSelection& surface, const MeasuredVolume& volume,
                       bool is_full = false);
@@ -20,8 +20,8 @@ std::string why_empty(const std::string& path, const VolumeArguments& arguments,
                              const NamedSelection& surface, const MeasuredVolume& volume,
                              bool is_full = false);
 
-/// Throws as fail_empty() if the surface is empty without --allow-empty, and prints a note if it is
-/// the box of the volume. extraction: of the volume, which has been read.
+/// Throws like fail_empty() if the surface is empty without --allow-empty. Prints a note if the
+/// surface is the box of the volume. extraction: of the volume, read to its end.
 void check_surface(const std::string& path, const VolumeArguments& arguments,
                    const NamedSelection& surface, const MeasuredVolume& volume,
                    const Extraction& extraction);

@@ -1,4 +1,4 @@
-// discmc extract: a volume to a stream or to meshes.
+// discmc extract: converts a volume to a stream or to meshes.
 #include "extract.hpp"
 
 #include "commands.hpp"
@@ -49,8 +49,8 @@ void check_surfaces(const ExtractArguments& arguments, const std::vector<Extract
 
 namespace {
 
-// Whether --label names one label whose walls are smoothed: they depend on the labels beside it,
-// and are the same as with --labels.
+// Whether --label names one label with smoothed walls. These walls depend on the labels beside it,
+// and equal the walls that --labels makes.
 bool is_smoothed_label(const ExtractArguments& arguments) {
   const VolumeArguments& reading = arguments.reading;
   if (!reading.selects_labels() || !reading.smooth_mm || !arguments.interpolates() ||

@@ -1,4 +1,4 @@
-// What discmc extract does, by what it writes.
+// The parts of discmc extract, by the kind of output.
 #pragma once
 
 #include <cstdint>
@@ -17,44 +17,44 @@
 
 namespace discmc::command {
 
-/// Each writes its files, then the table, and returns the exit code.
+/// Each function writes its files, then the table, and returns the exit code.
 int extract_stream(ExtractArguments arguments);
 int extract_meshes(ExtractArguments arguments);
 int extract_label_meshes(const ExtractArguments& arguments);
 
-/// The meshes of the labels that are asked for, each with its name and colour; with normals of the
-/// surface, if those are asked for.
+/// Returns the meshes of the requested labels, each with its name and colour, and with surface
+/// normals if requested.
 std::vector<FileMesh> label_meshes(const ExtractArguments& arguments);
 
-/// One a surface, in the order of the selections.
+/// One receiver per surface, in the order of the selections.
 using SurfaceReceivers = std::vector<std::unique_ptr<SurfaceReceiver>>;
 
 /// A stream that was written.
 struct ExtractedStream {
   std::vector<Extraction> extractions;  ///< one per surface, in the order of the selections
-  SurfaceReceivers receivers;           ///< with the counts, unless quiet
-  std::uint64_t slice_bytes = 0;        ///< of a stream of slices
-  std::size_t slice_memory = 0;         ///< that its encoder took; Units: bytes
+  SurfaceReceivers receivers;           ///< keep the counts, unless quiet
+  std::uint64_t slice_bytes = 0;        ///< size of a stream of slices
+  std::size_t slice_memory = 0;         ///< memory of the slice encoder; Units: bytes
 };
 
-/// Writes the stream alone. arguments: get the labels that are found. Throws when a surface is
-/// empty that may not be.
+/// Writes only the stream. arguments: receives the labels that are found. Throws if a surface is
+/// empty without --allow-empty.
 ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out);
 
-/// kept: of every surface, if anything is.
+/// kept: what each receiver keeps, if anything.
 SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections,
                                std::optional<Kept> kept);
 std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selections,
                                         const SurfaceReceivers& receivers);
 
-/// How much is done at once: as asked for, or as there are cores.
+/// Returns the number of parallel jobs: the requested number, or the number of cores.
 unsigned jobs_of(const ExtractArguments& arguments);
 
-/// As check_surface(), of each. volume: that they are of.
+/// Calls check_surface() for each surface. volume: the input of all extractions.
 void check_surfaces(const ExtractArguments& arguments, const std::vector<Extraction>& extractions,
                     const MeasuredVolume& volume);
 
-/// Prints how many samples are not a number, if any.
+/// Prints how many samples are NaN, if any.
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers);
 
 }  // namespace discmc::command

@@ -39,7 +39,7 @@ std::filesystem::path material_file(const std::filesystem::path& mesh) {
   return mesh.parent_path() / name;
 }
 
-// The colour of an OBJ mesh goes into a file beside it.
+// OBJ keeps the colour of a mesh in a second file.
 void write_obj_and_mtl(const FileMesh& mesh, const std::string& name, unsigned jobs,
                        OutputFile& file) {
   const auto materials = material_file(name);
@@ -89,7 +89,7 @@ std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>&
   if (!pattern.has_name()) return std::vector<std::string>(selections.size(), arguments_.output);
   std::vector<std::string> names;
   const bool is_obj = format_of(arguments_.output) == Format::obj;
-  std::set<std::string> taken;  // material files are distinct, too
+  std::set<std::string> taken;  // material files need distinct names, too
   for (const NamedSelection& each : selections) {
     std::string addition;
     const auto key = [&] {

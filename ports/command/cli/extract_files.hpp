@@ -15,31 +15,31 @@
 
 namespace discmc::command {
 
-/// A surface of a volume, and the file that its mesh goes to.
+/// A surface of a volume, and the file of its mesh.
 struct SurfaceOutput {
   Surface& surface;
   const NamedSelection& selection;
   std::string file;
-  std::string title;                     ///< of the input and the surface, for messages
-  const Crossings* crossings = nullptr;  ///< as MeshingOptions
+  std::string title;                     ///< names the input and the surface in messages
+  const Crossings* crossings = nullptr;  ///< as MeshingOptions::crossings
 };
 
-/// One file per mesh if --output has a place for their names, else one file that holds all.
+/// Writes one file per mesh if --output contains {name}, otherwise one file with all meshes.
 class MeshFiles {
  public:
-  /// arguments: Owner: the caller. Throws where no file can be written: so call it before the
-  /// volume is read.
+  /// arguments: Owner: the caller. Throws if no file can be written; therefore construct this
+  /// before reading the volume.
   explicit MeshFiles(const ExtractArguments& arguments);
 
-  /// Where the meshes lie.
+  /// Sets the position and orientation of the meshes.
   void set_placement(const std::optional<VolumePlacement>& placement) { placement_ = placement; }
 
   /// Whether all meshes go into one file.
   bool are_one() const { return are_one_; }
 
-  /// The files of surfaces. All names differ where each file has its own, and so do those of
-  /// material files. All files of an equal name but the first also get the selection in their
-  /// names.
+  /// Returns the file of each surface. Names differ if each mesh has its own file; so do names of
+  /// material files. If several surfaces have an equal name, all but the first also get their
+  /// selection as part of the name.
   std::vector<std::string> names_for(const std::vector<NamedSelection>& selections);
 
   /// Makes the mesh of a surface for add(), unless that makes it while it writes. May be called by
@@ -50,7 +50,7 @@ class MeshFiles {
   /// made: by made_ahead(), if it was called.
   MeshSummary add(const SurfaceOutput& output, std::optional<FileMesh> made = {});
 
-  /// Writes the file of all, if that is asked for, and prints its size.
+  /// Writes the common file, if there is one, and prints its size.
   void finish();
 
  private:
@@ -71,8 +71,8 @@ class MeshFiles {
   const ExtractArguments& arguments_;
   std::optional<VolumePlacement> placement_;
   bool are_one_ = false;
-  std::optional<OutputFile> file_;  // where there is only one
-  std::vector<FileMesh> meshes_;    // of it, if it holds several
+  std::optional<OutputFile> file_;  // if all meshes share it
+  std::vector<FileMesh> meshes_;    // for `file_`, if it holds several meshes
 };
 
 }  // namespace discmc::command

@@ -1,4 +1,4 @@
-// discmc extract --labels all: a segmentation to meshes, one per label.
+// discmc extract --labels all: converts a segmentation to one mesh per label.
 #include <algorithm>
 #include <iomanip>
 #include <map>
@@ -33,11 +33,11 @@ namespace {
 struct FoundLabel {
   LabelledSurface surface;
   NamedSelection name;
-  std::optional<CrossingFinder> crossings{};  // of a smoothed one
+  std::optional<CrossingFinder> crossings{};  // of a smoothed surface
 };
 
-// The labels that are asked for, by their layers; for `all`, layers without labels. Regions are
-// surfaces of several labels.
+// The requested labels by layer. For `all`, layers have no labels here. A region is one surface of
+// several labels.
 struct Chosen {
   std::map<std::uint32_t, std::optional<std::set<LabelValue>>> labels;
   std::vector<NamedLabels> regions;
@@ -94,7 +94,7 @@ std::vector<FoundLabel> smoothed_labels_of(VolumeReader& volume, const LabelOpti
   return found;
 }
 
-// The labels have no names yet.
+// Returns surfaces without names; the caller names the labels.
 std::vector<FoundLabel> surfaces_of(VolumeReader& volume, const ExtractArguments& arguments,
                                     std::optional<std::set<LabelValue>> chosen) {
   const auto deviation = smoothing_mm(arguments.reading, volume.info());
@@ -110,12 +110,12 @@ std::vector<FoundLabel> surfaces_of(VolumeReader& volume, const ExtractArguments
   }
 }
 
-// As in "label 2 (bone)".
+// Example: "label 2 (bone)".
 std::string title(const NamedSelection& label) {
   return "label " + label.given + (label.name == label.given ? "" : " (" + label.name + ")");
 }
 
-// For labels that are asked for and have no voxel.
+// Reports requested labels that have no voxel.
 void check_missing(const ExtractArguments& arguments, const std::vector<std::string>& missing) {
   if (missing.empty()) return;
   std::string text = "no voxel has";
@@ -134,7 +134,7 @@ NamedSelection selection_of(const LabelNames& names, std::uint32_t layer, LabelV
   return selection;
 }
 
-// Whether a label is in a region, and has no name of its own.
+// Whether a label is part of a region and has no name of its own.
 bool is_only_in_region(const std::vector<NamedLabels>& regions, std::uint32_t layer,
                        const FoundLabel& label) {
   if (label.name.name != label.name.given) return false;
@@ -145,7 +145,7 @@ bool is_only_in_region(const std::vector<NamedLabels>& regions, std::uint32_t la
   });
 }
 
-// Reads the layers of a region once more.
+// Reads the layers of a region again.
 void add_region(const ExtractArguments& arguments, Segmentation& segmentation,
                 const NamedLabels& region, std::vector<FoundLabel>& found,
                 std::vector<std::string>& missing) {
@@ -165,8 +165,8 @@ void add_region(const ExtractArguments& arguments, Segmentation& segmentation,
   }
 }
 
-// Reads each layer once, but for regions. Returns labels in the order of the layers, then of their
-// values.
+// Reads each layer once, and the layers of a region once more. Returns labels in the order of the
+// layers, then of their values.
 std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentation& segmentation) {
   const LabelNames& names = segmentation.names();
   std::vector<FoundLabel> found;
@@ -184,7 +184,7 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
     for (const LabelValue label : chosen.value_or(std::set<LabelValue>()))
       if (with_voxels.count(label) == 0)
         missing.push_back(title(selection_of(names, layer, label)));
-    // A mask that is empty.
+    // An empty mask lacks its only label.
     if (!chosen && surfaces.empty() && names.layers().size() > 1)
       missing.push_back(names.named(layer, 1).name);
     for (FoundLabel& each : surfaces) {
@@ -212,7 +212,7 @@ std::vector<FoundLabel> labels_with_voxels(const ExtractArguments& arguments,
   return labels;
 }
 
-// target: the file, or the name in it.
+// target: the file, or the mesh's name in the common file.
 void print_line(const LabelledSurface& label, std::uint64_t faces, const std::string& target,
                 std::ostream& out) {
   out << std::setw(8) << label.label.text() << std::setw(14) << label.voxels << std::setw(12)

@@ -1,4 +1,4 @@
-// discmc extract -o FILE.stl: a volume to meshes, one per surface.
+// discmc extract -o FILE.stl: converts a volume to one mesh per surface.
 #include <optional>
 #include <stdexcept>
 #include <string>

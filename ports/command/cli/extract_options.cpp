@@ -17,7 +17,7 @@ namespace {
 
 constexpr unsigned max_jobs = 1024;
 
-// Whether a file of this name can hold no more than a mesh.
+// Whether a file of this name holds at most one mesh.
 bool is_one_mesh(const std::string& output) {
   return !FilePattern(output).has_name() && format_of(output) != Format::stream &&
          !traits_of(format_of(output)).holds_several;
@@ -158,7 +158,7 @@ void check_wire(const ExtractArguments& arguments) {
     refuse("--key-slices", "applies to streams of slices; add --wire slices");
 }
 
-// Fractions are of samples that a threshold alone divides.
+// Fractions need samples that only a threshold divides.
 void check_levels(const ExtractArguments& arguments) {
   if (arguments.levels == 0) return;
   const VolumeArguments& reading = arguments.reading;
@@ -200,8 +200,8 @@ void check_jobs(const ExtractArguments& arguments) {
            "or with --normals gradient in a stream; leave one out");
 }
 
-// The vertices of a smoothed or decimated surface follow it, where there is something to follow and
-// the mesh can hold that. A decimated one chooses among all crossings.
+// Vertices of a smoothed or decimated surface follow the interpolated surface, if there is one and
+// the mesh can hold it. A decimated surface chooses among all crossings.
 void choose_surface(ExtractArguments& arguments, const CLI::App& app) {
   const Format format = format_of(arguments.output);
   const bool is_triangles = arguments.mesh.faces == Faces::triangles &&
@@ -239,7 +239,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_jobs(arguments);
 }
 
-// "2/7". Throws where it is none.
+// Parses "2/7". Throws if the text has another form.
 SlabChoice slab_choice(const std::string& text) {
   const std::size_t slash = text.find('/');
   const auto number = whole_number<std::uint32_t>(text.substr(0, slash));
@@ -251,7 +251,7 @@ SlabChoice slab_choice(const std::string& text) {
   return {*number, *count};
 }
 
-// Nothing where it is neither auto nor a length.
+// Returns nothing if the text is neither "auto" nor a length.
 std::optional<double> deviation(const std::string& text) {
   if (text == "auto") return 0;
   const auto length = finite_number(text);
@@ -286,7 +286,7 @@ void add_closing_option(CLI::App& app, ExtractArguments& arguments) {
       ->option_text("MM");
 }
 
-// What a stream holds, where that is what is written.
+// Adds the options of streams.
 void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(stream_group);
   add_named_option(

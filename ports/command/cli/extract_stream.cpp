@@ -1,4 +1,4 @@
-// discmc extract -o FILE.dmc: a volume to a stream of its surfaces, or of its slices.
+// discmc extract -o FILE.dmc: converts a volume to a stream of its surfaces or of its slices.
 #include <algorithm>
 #include <cstdint>
 #include <discmc/byte_output.hpp>
@@ -24,7 +24,7 @@
 namespace discmc::command {
 namespace {
 
-// Encodes the bits of a volume, or its samples, in memory of its own.
+// Encodes the bits or the samples of a volume in memory of its own.
 class SliceWriter {
  public:
   void start(const SliceEncoderConfig& config, SampleType type, const ByteOutput& output) {
@@ -42,9 +42,9 @@ class SliceWriter {
     });
   }
   SliceEncoder& encoder() { return *encoder_; }
-  /// Limit: with levels.
+  /// Limit: only with levels.
   void push_slice(const void* samples) const { push_slice_(samples); }
-  /// Units: bytes; 0 before a start.
+  /// Units: bytes; 0 before start().
   std::size_t memory() const { return memory_.size(); }
 
  private:
@@ -62,7 +62,7 @@ class SliceWriter {
   std::function<void(const void*)> push_slice_;
 };
 
-// Encodes the slices that are read.
+// Encodes each slice as it is read.
 class EncodedReader final : public SliceReader {
  public:
   EncodedReader(SliceReader& volume, const SliceWriter& writer)
@@ -79,7 +79,8 @@ class EncodedReader final : public SliceReader {
   const SliceWriter& writer_;
 };
 
-// The header of a stream of slices that holds all surfaces. header: what they share.
+// Returns the configuration of a stream of slices with all surfaces. header: what the surfaces
+// share.
 SliceEncoderConfig config_of_all(const StreamHeader& header, const ExtractArguments& arguments,
                                  const VolumeInfo& info,
                                  const std::vector<NamedSelection>& selections) {
@@ -96,7 +97,7 @@ SliceEncoderConfig config_of_all(const StreamHeader& header, const ExtractArgume
   return config;
 }
 
-// No two slabs differ by more than a slice.
+// The sizes of two slabs differ by at most one slice.
 std::optional<SlabRange> slab_of(const ExtractArguments& arguments, std::uint32_t depth) {
   if (!arguments.slab || arguments.slab->count == 1) return std::nullopt;
   const auto [number, count] = *arguments.slab;
@@ -110,7 +111,7 @@ std::optional<SlabRange> slab_of(const ExtractArguments& arguments, std::uint32_
   return SlabRange{end_of(number - 1), end_of(number) - end_of(number - 1), depth};
 }
 
-// Samples that are narrowed for the gradient have one threshold as their zero.
+// Narrowed samples have one threshold as their zero, so gradients need a single surface.
 void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& info) {
   if (arguments.selections.size() > 1)
     throw std::invalid_argument(
@@ -142,7 +143,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   options.slab = slab_of(arguments, info.dims[2]);
   options.normals = arguments.normals == Normals::gradient;
   options.jobs = arguments.jobs;
-  // A slab in parts is faster to join.
+  // A slab that is extracted in parts is faster to join.
   if (options.slab && is_divisible(arguments)) options.jobs = arguments.jobs.value_or(1);
   options.measures_memory = !arguments.is_quiet && !options.jobs;
   std::unique_ptr<SliceReader> narrow;

@@ -17,7 +17,7 @@
 namespace discmc::command {
 namespace {
 
-// printed: how many of them are.
+// printed: the number of notes already printed.
 void print_notes(const std::vector<std::string>& notes, std::size_t& printed) {
   for (; printed < notes.size(); ++printed) std::cout << "note " << notes[printed] << '\n';
 }

@@ -33,7 +33,7 @@ bool begins_like_volume(const std::string& input, std::optional<ReplayedInput>& 
 
 ReplayedInput::ReplayedInput(std::string head) : bytes_(std::move(head)), rest_(std::cin.rdbuf()) {
   setg(bytes_.data(), bytes_.data(), bytes_.data() + bytes_.size());
-  std::cin.rdbuf(this);  // clears its state as well
+  std::cin.rdbuf(this);  // also clears its state
 }
 
 ReplayedInput::~ReplayedInput() {

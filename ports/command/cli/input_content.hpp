@@ -1,4 +1,4 @@
-// The kind of an input by its first bytes, if its name does not decide.
+// Detects the kind of an input from its first bytes, if the name does not decide.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace discmc::command {
 
-/// Gives std::cin its first bytes again, as long as this lives. Limit: one at a time.
+/// Returns the first bytes of std::cin again while this object exists. Limit: one at a time.
 class ReplayedInput final : public std::streambuf {
  public:
-  /// head: all that was read so far.
+  /// head: all bytes read so far.
   explicit ReplayedInput(std::string head);
   ReplayedInput(const ReplayedInput&) = delete;
   ReplayedInput& operator=(const ReplayedInput&) = delete;
@@ -23,9 +23,10 @@ class ReplayedInput final : public std::streambuf {
   std::streambuf* rest_;
 };
 
-/// Whether a file, or standard input by the name "-", begins like a volume. What cannot be opened
-/// may be a pattern of names, and counts as a volume: its reader reports the fault. A pipe does
-/// not, as its first bytes cannot be returned. replayed: returns those of standard input again.
+/// Whether a file, or standard input ("-"), begins like a volume. An input that cannot be opened
+/// may be a pattern of names. It counts as a volume, whose reader reports the fault. A pipe does
+/// not count as a volume, because its first bytes cannot be returned. replayed: returns the first
+/// bytes of standard input again.
 bool begins_like_volume(const std::string& input, std::optional<ReplayedInput>& replayed);
 
 }  // namespace discmc::command

@@ -28,17 +28,17 @@ std::string described(const StreamHeader& header) {
   return text.str();
 }
 
-// Whether two surfaces can meet. Each device may have another number of the scan.
+// Whether two surfaces can meet. The scan number may differ, as each device counts its own scans.
 bool is_same_volume(const StreamHeader& a, const StreamHeader& b) {
   return a.width == b.width && a.height == b.height && a.depth == b.depth &&
          a.thresholds[0] == b.thresholds[0] && a.border == b.border &&
          std::equal(a.spacing_nm, a.spacing_nm + 3, b.spacing_nm);
 }
 
-// Takes the events of all streams, one after another, and joins them to one.
+// Joins the events of all streams, read one after another, into one stream.
 class Join {
  public:
-  /// memory: for pieces that wait. Units: bytes.
+  /// memory: for waiting pieces. Units: bytes.
   Join(std::ostream& out, std::uint64_t memory)
       : output_(&out), joiner_(make_sink(encoded_), memory) {}
 
@@ -71,13 +71,13 @@ class Join {
     if (read_slab_range(*event.application, range)) {
       add_range(range);
     } else if (!read_placement(*event.application, placement) || is_first_) {
-      return joiner_.accept(event);  // only the first placement: all are the same
+      return joiner_.accept(event);  // all placements are equal; only the first is written
     }
     return SinkResult::accepted;
   }
 
   const SlabRanges& slabs() const { return slabs_; }
-  // What was written of them.
+  // Returns the number of regions written.
   std::uint64_t regions() const { return encoded_.regions; }
   std::uint64_t fragments() const { return encoded_.fragments; }
 
@@ -102,7 +102,7 @@ class Join {
   };
 
   void begin(const StreamHeader& header) {
-    if (is_begun_) return;  // headers come again and again
+    if (is_begun_) return;  // headers are repeated
     is_begun_ = true;
     is_first_ = first_path_.empty();
     if (is_first_) {
@@ -117,7 +117,7 @@ class Join {
     }
   }
 
-  // A stream without a range is that of the whole volume.
+  // A stream without a range covers the whole volume.
   void add_whole() {
     try {
       add_range({0, depth_, depth_});
@@ -126,7 +126,7 @@ class Join {
     }
   }
 
-  // What is thrown while a stream is read gets its name from read_file().
+  // read_file() adds the file's name to an exception thrown while it reads.
   void add_range(const SlabRange& range) {
     has_range_ = true;
     if (depth_ == 0) depth_ = range.depth;
@@ -146,7 +146,7 @@ class Join {
   std::uint32_t depth_ = 0;  // of the volume; if headers lack it, of the first range
   StreamHeader header_;
   std::string first_path_;
-  // The stream that is read.
+  // The stream that is being read.
   std::string path_;
   bool is_first_ = false;
   bool is_begun_ = false;

@@ -14,7 +14,7 @@
 namespace discmc::command {
 namespace {
 
-// From where the coordinates in the file are counted, if they are 32-bit floats.
+// Returns the origin of the file's coordinates, if they are 32-bit floats.
 std::optional<Point> origin_of_floats(const std::string& file, const FileMesh& mesh) {
   const Format format = format_of(file);
   if (traits_of(format).holds_doubles) return std::nullopt;

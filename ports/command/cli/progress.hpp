@@ -7,14 +7,14 @@
 
 namespace discmc::command {
 
-/// "extracting 45 %"; where all is not known (0), "row 45", or the phase alone.
+/// Example: "extracting 45 %"; if the total is unknown (0), "row 45", or only the phase.
 std::string progress_text(const std::string& phase, std::uint64_t done, std::uint64_t all);
 
-/// A phase of a job. It is shown in place a few times per second, and cleared when all is done or
-/// the phase ends. One that begins within another takes its place.
+/// A phase of a job. The terminal shows it in place a few times per second, until it is done or
+/// ends. A phase that begins within another one replaces it on the terminal.
 class Progress {
  public:
-  /// all: 0 when not known.
+  /// all: 0 if unknown.
   explicit Progress(std::string phase, std::uint64_t all = 0);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -1,4 +1,4 @@
-// discmc render: a picture of a stream or a volume.
+// discmc render: draws a picture of a stream or a volume.
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,8 +26,8 @@
 namespace discmc::command {
 namespace {
 
-// A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
-// crossings: where its vertices lie, or null.
+// Returns a mesh with normals of the surface if smooth shading is requested. crossings: the places
+// of its vertices, or null.
 FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface,
                       const Crossings* crossings) {
   keep_chosen(arguments.input, arguments.components, surface);
@@ -41,14 +41,14 @@ FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface,
   return mesh;
 }
 
-// The gradient is that of the surface only where a threshold alone divides the samples.
+// The gradient is normal to the surface only if a threshold alone divides the samples.
 bool takes_gradient(const RenderArguments& arguments) {
   const VolumeArguments& reading = arguments.reading;
   return arguments.smooth && arguments.surface == SurfaceKind::merged && reading.median == 0 &&
          reading.mask.empty() && !reading.selections[0].has_upper_end();
 }
 
-// options: of the extraction. volume: not yet read; is at the end.
+// options: of the extraction. volume: not yet read; this function reads all of it.
 FileMesh mesh_of_volume(const RenderArguments& arguments, MeasuredVolume& volume,
                         ExtractionOptions options) {
   options.normals = takes_gradient(arguments);
@@ -106,7 +106,7 @@ std::vector<FileMesh> meshes_of_labels(const RenderArguments& arguments) {
   return label_meshes(extraction);
 }
 
-// colours: get that of each face.
+// colours: receives the colour of each face.
 FileMesh parts_to_draw(std::vector<FileMesh> parts, std::vector<Srgb>& colours) {
   for (const FileMesh& part : parts)
     colours.resize(colours.size() + part.face_count(),

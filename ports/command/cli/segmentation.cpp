@@ -28,7 +28,7 @@ std::vector<std::uint32_t> layers_of(const VolumeInfo& info, const VolumeArgumen
   return {layers.begin(), layers.end()};
 }
 
-// A given table replaces the labels of the file.
+// A table from the user replaces the labels of the file.
 LabelTable table_of(const VolumeInfo& info, const VolumeArguments& arguments) {
   if (arguments.label_table.empty()) return info.labels;
   LabelTable table = read_label_table(arguments.label_table);

@@ -1,4 +1,4 @@
-// discmc view --serve: the page, and the data beside it.
+// discmc view --serve: serves the page and its data.
 #include <cstdint>
 #include <iostream>
 #include <memory>
@@ -22,8 +22,8 @@
 namespace discmc::command {
 namespace {
 
-// Slices are read in turn, as not every library does so in two threads. A slow
-// client delays no other.
+// Reads slices in turn, because not every library can read in two threads. A slow client delays no
+// other.
 class ReadInTurn final : public VolumeFilter {
  public:
   ReadInTurn(std::unique_ptr<VolumeReader> volume, std::mutex& turn)
@@ -37,7 +37,7 @@ class ReadInTurn final : public VolumeFilter {
   std::mutex& turn_;
 };
 
-constexpr std::uint64_t served_bytes = std::uint64_t{1} << 30;  // that the page takes
+constexpr std::uint64_t served_bytes = std::uint64_t{1} << 30;  // most that the page accepts
 
 void serve(const ViewArguments& arguments, const ServedFile& file) {
   serve_page(file, arguments.port, [&](const std::string& address) {
@@ -48,7 +48,7 @@ void serve(const ViewArguments& arguments, const ServedFile& file) {
   });
 }
 
-// Samples are read again for every page: none waits in memory.
+// Reads the samples again for every page, to keep none in memory.
 void serve_samples(const ViewArguments& arguments) {
   require_second_pass(arguments.input, "each served page reads the volume again");
   std::mutex turn;
@@ -77,8 +77,8 @@ void serve_live(const ViewArguments& arguments) {
                     [&live](std::ostream& out) { live.copy_to(out); }});
 }
 
-// What comes from a pipe is a stream, unless an option is for volumes alone: its first bytes may
-// be long in coming.
+// An input from a pipe counts as a stream unless an option is for volumes only, because its first
+// bytes may arrive late.
 bool is_volume(const ViewArguments& arguments) {
   if (arguments.kind) return arguments.kind == InputKind::volume;
   std::optional<ReplayedInput> replayed;

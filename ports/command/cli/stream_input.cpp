@@ -22,7 +22,7 @@
 namespace discmc::command {
 namespace {
 
-// The surfaces of a link by scan, channel and threshold.
+// Lists the surfaces of a link by scan, channel and threshold.
 std::vector<std::string> list_of_surfaces(const StreamReader& reader) {
   std::vector<std::string> list;
   for (const StreamHeader& header : reader.headers())
@@ -39,8 +39,8 @@ std::string joined(const std::vector<std::string>& list) {
   return text;
 }
 
-// Notes the application records of a stream, the placement of its volume among them, and passes on
-// what it is given.
+// Keeps the application records of a stream, with the placement of its volume, and passes events to
+// the next sink.
 struct RecordNotes {
   JoinedSurface& to;
   std::vector<std::string> records{};
@@ -60,7 +60,7 @@ struct RecordNotes {
   }
 };
 
-// Throws for an input that is no stream, with the command that accepts it.
+// Throws for an input that is not a stream; the message names the command that accepts it.
 void refuse_other_kinds(const std::string& path) {
   if (is_volume_name(path))
     throw std::runtime_error(
@@ -69,7 +69,7 @@ void refuse_other_kinds(const std::string& path) {
     throw std::runtime_error(path + ": this is a mesh, not a stream; " + who_takes_meshes);
 }
 
-// Not of standard input.
+// Opens a file; standard input is opened elsewhere.
 std::ifstream opened(const std::string& path) {
   if (!std::filesystem::exists(path))
     throw std::runtime_error(path + ": there is no such file; check the name");
@@ -83,7 +83,7 @@ std::ifstream opened(const std::string& path) {
   return file;
 }
 
-// size: of the stream, or 0 where it is not known.
+// size: of the stream, or 0 if unknown.
 void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
                  StreamReader& reader) {
   Progress progress(size > 0 ? "reading" : "reading byte", size);
@@ -142,7 +142,7 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
           std::move(notes.fractions)};
 }
 
-// As in "3 packets are missing, 100 rows are missing; send or copy the stream again".
+// Example: "3 packets are missing, 100 rows are missing; send or copy the stream again".
 std::string losses(const StreamReport& report) {
   const char* const pieces = report.holds_slices ? " rows" : " regions or fragments";
   const std::uint64_t lost = report.holds_slices ? report.lost_rows : report.lost_pieces;
@@ -165,7 +165,7 @@ std::string losses(const StreamReport& report) {
     add("packets of two scans with the same number are mixed");
     return text + "; give every scan another number";
   }
-  // What only lacks pieces may be one slab of several.
+  // A stream that only lacks pieces may be one slab of several.
   const bool is_loss = report.lost_packets > 0 || !report.has_trailer || lost == 0;
   return text + (is_loss ? "; send or copy the stream again" : "");
 }

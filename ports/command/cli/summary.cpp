@@ -29,7 +29,7 @@ std::string ratio(std::uint64_t a, std::uint64_t b) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
-// What there was too little of, if anything.
+// Names what was too small, or returns an empty string.
 std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
   if (extraction.statistics.fragments == 0) return {};
   if (extraction.is_of_slab) return "at the seams, or for lack of memory";
@@ -37,7 +37,7 @@ std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
   return std::string("the arena lacked slots") + (lacked_holes ? " or holes" : "");
 }
 
-// In the words of --space where they fit.
+// Uses the words of --space if they fit.
 const char* space_name(Space space) {
   constexpr const char* names[] = {"scanner", "lps", "ras"};
   return names[static_cast<std::size_t>(space)];
@@ -62,9 +62,9 @@ void print_vector(const char* name, const std::array<double, 3>& vector, std::os
 
 void print_place(const std::array<double, 3>& spacing_mm,
                  const std::optional<VolumePlacement>& placement, std::ostream& out) {
-  const auto digits = out.precision(10);  // a nanometre of the largest spacing
+  const auto digits = out.precision(10);  // nanometres of the largest spacing
   print_vector("spacing", spacing_mm, out);
-  out.precision(15);  // a nanometre of an origin as far away as can be
+  out.precision(15);  // nanometres of the farthest origin
   const VolumePlacement place = placement ? *placement : along_coordinates(spacing_mm);
   out << "space " << (placement ? space_name(place.space) : "voxel") << '\n';
   print_vector("origin", place.origin_mm, out);

@@ -1,4 +1,4 @@
-// Where the events of a surface go while it is extracted.
+// The receiver of a surface's events during extraction.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ void write_placement(const std::optional<VolumePlacement>& placement, Encoder& e
   require(encoder.write_record(record_of(in_nanometres(*placement), bytes)));
 }
 
-/// Writes the range of slices to the stream of a slab. encoder: as above.
+/// Writes the range of slices to the stream of a slab. encoder: as write_placement().
 template <class Encoder>
 void write_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
   if (!slab) return;
@@ -31,14 +31,14 @@ void write_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
   require(encoder.write_record(record_of(*slab, bytes)));
 }
 
-/// Gives every event to an encoder, if a stream is begun, and, joined, to a surface, if one is
+/// Passes every event to an encoder, if a stream is begun. Joins the events to a surface, if one is
 /// kept.
 class SurfaceReceiver {
  public:
   explicit SurfaceReceiver(std::optional<Kept> kept)
       : surface_(kept.value_or(Kept::counts)), builds_(kept.has_value()) {}
 
-  /// Begins a stream. output: must take all; Owner: the caller.
+  /// Begins a stream. output: must accept everything; Owner: the caller.
   void start_stream(const StreamLabel& label, const std::optional<VolumePlacement>& placement,
                     const std::optional<SlabRange>& slab, const ByteOutput& output) {
     encoder_.encode_normals();
@@ -57,19 +57,20 @@ class SurfaceReceiver {
     return builds_ ? surface_.accept(event) : SinkResult::accepted;
   }
 
-  /// Takes a region in place of its events, unless they are to be encoded.
+  /// Accepts a region in place of its events, unless they must be encoded.
   SinkResult accept_region(const WholeRegion& region) {
     if (encodes_ || !builds_) return SinkResult::busy;
     return surface_.accept_region(region);
   }
 
-  /// The bytes of the stream; 0 without one.
+  /// Returns the size of the stream; 0 without a stream.
   std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
-  /// Accepts regions instead of their events; null if regions are not kept.
+  /// Returns the builder that accepts regions in place of their events; null if regions are not
+  /// kept.
   SurfaceBuilder* builder() { return builds_ ? &surface_.builder() : nullptr; }
-  /// Likewise packets, or null without a stream.
+  /// Returns the encoder that accepts packets; null without a stream.
   Encoder* encoder() { return encodes_ ? &encoder_ : nullptr; }
-  /// Limit: Kept::polygons. The spacing is for the caller to set.
+  /// Limit: Kept::polygons. The caller sets the spacing.
   Surface& surface() { return surface_.surface(); }
   /// Limit: Kept::counts.
   const Counts& counts() const { return surface_.builder().counts(); }

@@ -26,10 +26,10 @@ constexpr std::uint32_t key_slice_intervals[] = {16, 1};
 // The trials of a volume.
 struct Trials {
   Trial plenty;                   // with memory for everything
-  std::optional<Trial> no_loose;  // the least without loose fragments
-  std::vector<Trial> regions;     // by the size of the arena
-  std::size_t chosen = 0;         // of them
-  std::vector<Trial> slices;      // by key_slice_intervals
+  std::optional<Trial> no_loose;  // smallest arena without loose fragments
+  std::vector<Trial> regions;     // one per size of the arena
+  std::size_t chosen = 0;         // index in `regions`
+  std::vector<Trial> slices;      // one per key_slice_intervals
 };
 
 bool shows(const TuneArguments& arguments, Wire wire) {
@@ -41,7 +41,7 @@ std::string bytes_text(std::uint64_t bytes) {
   return grouped(bytes) + " bytes";
 }
 
-// The arena that --memory or --capacities gives. Throws if the device would reject it.
+// Returns the arena of --memory or --capacities. Throws if the device would reject it.
 std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const Limits& limits) {
   if (!arguments.capacities.empty()) {
     const Capacities capacities{arguments.capacities[0], arguments.capacities[1]};
@@ -154,7 +154,7 @@ std::string comment_of(const Trial& trial, Wire wire, const Device& device) {
          seconds_text(seconds_on_link(trial, device)) + " s on the link.";
 }
 
-// The options that the printed code lacks, or empty.
+// Returns the options that the printed code does not express, or an empty string.
 std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
   std::vector<std::string> all;
   const NamedSelection& surface = arguments.selections[0];
@@ -170,7 +170,7 @@ std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments)
   return text.empty() ? text : text + ".";
 }
 
-// A comment if the values of the file differ from its samples, or empty.
+// Returns a comment if the values of the file differ from its samples, otherwise an empty string.
 std::string scaled_threshold_text(const VolumeBits& volume, const Selection& selection) {
   const std::int32_t threshold = volume.header().thresholds[0];
   if (volume.is_floating() || selection.low == threshold) return "";
@@ -178,7 +178,7 @@ std::string scaled_threshold_text(const VolumeBits& volume, const Selection& sel
          value_text(selection.low) + ".";
 }
 
-// The comments above the code. trial: its results.
+// Returns the comments above the code. trial: its results.
 std::vector<std::string> comments(const VolumeBits& volume, const VolumeArguments& arguments,
                                   const std::string& trial) {
   std::vector<std::string> all{trial};
@@ -188,7 +188,7 @@ std::vector<std::string> comments(const VolumeBits& volume, const VolumeArgument
   return all;
 }
 
-// As it was given, after the number that a rule has found.
+// Returns the user's text, after the number that a rule has found.
 std::string surface_text(const NamedSelection& surface) {
   if (!surface.rule) return surface.name;
   return value_text(surface.selection.low) + " (" + surface.name + ")";

@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-// "48M", "48MHz", "32768": Hertz, or nothing.
+// Parses "48M", "48MHz" or "32768" as hertz; returns nothing for other text.
 std::optional<double> frequency(std::string text) {
   if (text.size() > 2 && text.substr(text.size() - 2) == "Hz") text.resize(text.size() - 2);
   double unit = 1;

@@ -29,7 +29,8 @@
 namespace discmc::command {
 namespace {
 
-// Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
+// Browsers hold less than 2^29 characters of text, and three incompressible bytes take four of
+// them.
 constexpr std::uint64_t page_bytes = std::uint64_t{1} << 28;
 
 void write_page_of_samples(const ViewArguments& arguments, std::ostream& out) {
@@ -74,7 +75,7 @@ std::vector<FileMesh> meshes_of_labels(const ViewArguments& arguments) {
   return label_meshes(extraction);
 }
 
-// code: gets that of completeness().
+// code: receives the result of completeness().
 std::vector<FileMesh> mesh_of_stream(const ViewArguments& arguments, int& code) {
   const DecodedStream decoded = decode_surface(arguments.input, {});
   code = completeness(arguments.input, decoded.report);

@@ -16,7 +16,7 @@
 namespace discmc::command {
 namespace {
 
-// A page of the same name in the folder where the user is; nothing where the input has no name.
+// Returns a page of the input's name in the current folder, or nothing if the input has no name.
 std::string page_for(const std::string& input) {
   std::filesystem::path name = input_name(input);
   if (name.extension() == ".gz") name.replace_extension();
@@ -36,7 +36,7 @@ void choose_output(ViewArguments& arguments) {
                                  arguments.output + ", or choose another name");
 }
 
-// By the name and the options, if they decide.
+// Chooses the kind by the name and the options, if they decide.
 void choose_kind(const CLI::App& view, ViewArguments& arguments) {
   if (is_mesh_name(arguments.input)) {
     check_mesh_input(view, arguments.input);
@@ -55,7 +55,7 @@ void check_surface_kind(const CLI::App& view, ViewArguments& arguments) {
   arguments.kind = InputKind::stream;
 }
 
-// Samples as they are have no surface.
+// Refuses options of surfaces if the page shows samples.
 void check_surface_options(const CLI::App& view, const ViewArguments& arguments) {
   if (!arguments.reading.selections.empty() || !arguments.labels.empty()) return;
   for (const CLI::Option* option : view.get_options())

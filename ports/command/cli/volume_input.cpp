@@ -29,13 +29,13 @@ void require_reach(double close_mm, const VolumeInfo& info) {
                                 ", or use --shrink");
 }
 
-// A volume may be opened for several passes; each note is printed once.
+// Prints each note once, even if a volume is opened for several passes.
 void print_once(const std::string& path, const std::string& text) {
   static std::set<std::pair<std::string, std::string>> printed;
   if (printed.emplace(path, text).second) print_message(path, text);
 }
 
-// Prints the notes when it is opened, and what the last slice adds to them.
+// Prints the notes of a volume when it is opened, and further notes after its last slice.
 class NotedVolume final : public VolumeFilter {
  public:
   NotedVolume(std::string path, std::unique_ptr<VolumeReader> volume)
@@ -59,7 +59,7 @@ class NotedVolume final : public VolumeFilter {
   }
 
   std::string path_;
-  std::uint32_t read_ = 0;  // slices
+  std::uint32_t read_ = 0;  // number of slices read
 };
 
 }  // namespace

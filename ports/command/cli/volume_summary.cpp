@@ -16,15 +16,15 @@ namespace {
 
 // ---- histogram ----
 
-// Values from low up to, but without, high; of the last line with it.
+// An interval of values from `low` up to, but without, `high`; the last line includes `high`.
 struct Line {
   double low;
   double high;
   std::uint64_t count;
-  std::string value = {};  // of one value alone
+  std::string value = {};  // if it is the only value
 };
 
-// All digits of whole numbers of 64 bits.
+// Prints all digits of 64-bit whole numbers.
 std::string text_of(const VolumeStatistics& statistics, const ValueCount& each) {
   return statistics.are_whole ? each.whole.text() : value_text(each.value);
 }
@@ -36,7 +36,7 @@ std::vector<Line> lines_of_values(const VolumeStatistics& statistics) {
   return lines;
 }
 
-// 1, 2 or 5 times a power of ten.
+// Returns 1, 2 or 5 times a power of ten.
 double round_step(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0})
@@ -52,7 +52,7 @@ std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int mos
     high = statistics.greatest;
   }
   const double step = round_step(high / most - low / most);
-  constexpr double max_steps = 1e15;  // that double still distinguishes
+  constexpr double max_steps = 1e15;  // double still distinguishes them
   if (!(std::fabs(low) / step < max_steps))
     return {{statistics.least, statistics.greatest, statistics.numbers}};
   const double begin = std::floor(low / step);
@@ -81,7 +81,7 @@ void print_histogram(const VolumeStatistics& statistics, std::ostream& out) {
   std::uint64_t most = 0;
   for (const Line& line : lines) most = std::max(most, line.count);
   for (const Line& line : lines) {
-    // The square root: what is rare is seen beside what is not.
+    // Bars grow with the square root, so that rare values stay visible.
     const double share = std::sqrt(static_cast<double>(line.count) / static_cast<double>(most));
     const bool is_one = !line.value.empty();
     out << "histogram " << std::setw(10) << (is_one ? line.value : value_text(line.low)) << ' '
@@ -93,9 +93,9 @@ void print_histogram(const VolumeStatistics& statistics, std::ostream& out) {
   }
 }
 
-// ---- what to give to extract ----
+// ---- options for extract ----
 
-// Labels of a segmentation, without its background.
+// Returns the labels of a segmentation, without its background.
 std::vector<std::string> labels(const VolumeStatistics& statistics) {
   constexpr std::size_t max_shown = 64;
   std::vector<std::string> labels;
@@ -132,7 +132,7 @@ void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistic
         << " skin: in Hounsfield units; air has less\n";
 }
 
-// What is most likely comes first.
+// Prints the most likely option first.
 void print_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
                      std::ostream& out) {
   const bool is_hounsfield = is_in_hounsfield(info, statistics);
@@ -140,7 +140,7 @@ void print_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
   propose_thresholds(is_hounsfield, statistics, out);
 }
 
-// As in "label 1 liver", "label 2,3 layer 0 kidney".
+// Example: "label 1 liver", "label 2,3 layer 0 kidney".
 void print_label(const LabelDescription& label, bool has_layers, std::ostream& out) {
   out << "label ";
   for (std::size_t i = 0; i < label.values.size(); ++i)

@@ -27,19 +27,19 @@ std::vector<std::string> names_of_options(const CommandOutline& command) {
   return names;
 }
 
-// A description in the space that a menu has.
+// Shortens a description to the width of a menu.
 std::string brief(const std::string& description) {
   return CLI::detail::trim_copy(description.substr(0, description.find_first_of(";(")));
 }
 
-// A word of shell.
+// Quotes a word for the shell.
 std::string quoted(const std::string& text) {
   return "'" + CLI::detail::find_and_replace(text, "'", "'\\''") + "'";
 }
 
 // ---- bash ----
 
-// What may follow an option: one of its words, or what the shell offers where there are none.
+// The completions of an option: its words, or the shell's own completions if it has none.
 std::string bash_case(const std::vector<std::string>& patterns,
                       const std::vector<std::string>& words) {
   return patterns.empty()
@@ -69,7 +69,7 @@ std::string bash_cases(const std::string& command, const CommandOutline& outline
 
 // ---- zsh ----
 
-// Within the specification of an argument.
+// Escapes text within the specification of an argument.
 std::string zsh_escaped(const std::string& text) {
   std::string escaped;
   for (const char letter : text) {

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t width = 80;
 constexpr std::size_t text_column = 26;
 
-// Words in lines, from a column on; the first begins there.
+// Breaks words into lines that begin at a column. The first line is already at that column.
 std::string wrapped(const std::string& text, std::size_t column) {
   std::string lines;
   std::size_t at = column;
@@ -28,7 +28,7 @@ std::string wrapped(const std::string& text, std::size_t column) {
   return lines + '\n';
 }
 
-// A term on the left and its text on the right, below the term if that is long.
+// Puts a term on the left and its text on the right, or below a long term.
 std::string entry(const std::string& term, const std::string& text) {
   std::string line = "  " + term;
   if (line.size() + 2 > text_column)

@@ -7,7 +7,7 @@
 namespace discmc::command {
 namespace {
 
-// A line of text that troff takes as it is.
+// Escapes a line of text for troff.
 std::string escaped(const std::string& text) {
   std::string line;
   if (!text.empty() && (text[0] == '.' || text[0] == '\'')) line = "\\&";
@@ -54,7 +54,7 @@ std::string entries(const std::vector<OptionOutline>& options) {
   return text;
 }
 
-// Lines that are not to be filled.
+// Marks lines that troff must not fill.
 std::string as_they_are(const std::string& text) {
   std::string page = ".nf\n";
   std::istringstream lines(text);

@@ -12,7 +12,7 @@ bool is_lower_case(const std::string& word) {
   });
 }
 
-// Without another option text, text is the name of a file.
+// The value of an option is a file name unless CLI11 has another text for it.
 std::string value_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   if (!option.get_option_text().empty()) return option.get_option_text();
@@ -80,7 +80,7 @@ std::string usage_of(const CommandOutline& outline, const CLI::App& app) {
   return usage;
 }
 
-// But for the commands within.
+// Returns the outline without subcommands.
 CommandOutline command_of(const CLI::App& app) {
   CommandOutline outline;
   outline.name = app.get_name();

@@ -9,10 +9,10 @@ namespace discmc::command {
 
 /// An option, or an argument without dashes.
 struct OptionOutline {
-  std::vector<std::string> names;    ///< "-o" and "--output"; of an argument "VOLUME"
-  std::string value;                 ///< what follows: "FILE", "closed|open"; empty of a flag
-  std::vector<std::string> choices;  ///< "closed" and "open": the words of value in lower case
-  std::string description;           ///< with what it is when not given
+  std::vector<std::string> names;    ///< "-o" and "--output"; "VOLUME" for an argument
+  std::string value;                 ///< the value: "FILE", "closed|open"; empty for a flag
+  std::vector<std::string> choices;  ///< "closed" and "open": the lower-case words of `value`
+  std::string description;           ///< includes the default
   bool takes_file = false;
   bool is_repeated = false;
 };
@@ -29,23 +29,23 @@ struct CommandOutline {
   std::vector<OptionOutline> arguments;
   std::vector<GroupOutline> groups;
   std::vector<CommandOutline> commands;
-  std::string footer;  ///< lines as they are to be shown
+  std::string footer;  ///< lines to print unchanged
 
   /// "discmc decode [OPTIONS] -o FILE STREAM"
   std::string usage;
 };
 
-/// Limit: commands have no commands.
+/// Limit: subcommands have no subcommands.
 CommandOutline outline_of(const CLI::App& app);
 
-/// In lines of 80 columns at most, but for words that are longer.
+/// Returns lines of at most 80 columns, unless a single word is longer.
 std::string help(const CommandOutline& outline);
 
-/// In troff, for man(1): all commands with their options.
+/// Returns troff for man(1), with all commands and their options.
 std::string manual(const CommandOutline& program, const std::string& version);
 
-// Scripts for a shell each. They complete commands, options, the words that a value can be, and
-// else names of files.
+// Return completion scripts, one per shell. They complete commands, options, words of values, and
+// otherwise file names.
 
 std::string bash_completions(const CommandOutline& program);
 std::string zsh_completions(const CommandOutline& program);

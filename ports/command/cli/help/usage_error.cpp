@@ -13,7 +13,7 @@
 namespace discmc::command {
 namespace {
 
-// Letters put in, left out, replaced, or swapped with the next.
+// Counts letters that are inserted, removed, replaced, or swapped with the next.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> distance(a.size() + 1,
                                                  std::vector<std::size_t>(b.size() + 1));
@@ -31,7 +31,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return distance[a.size()][b.size()];
 }
 
-// The one that a name was most likely meant for; empty where none is near.
+// Returns the most likely intended name, or an empty string if none is near.
 std::string nearest(const std::string& name, const std::vector<std::string>& names) {
   std::string best;
   std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
@@ -51,7 +51,7 @@ std::vector<std::string> names_of_commands(const CLI::App& app) {
   return names;
 }
 
-// Long names, without dashes.
+// Returns the long names, without dashes.
 std::vector<std::string> names_of_options(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
@@ -63,8 +63,7 @@ bool is_option(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-';
 }
 
-// The first option that the app does not have, or else the first surplus argument; empty if there
-// is none.
+// Returns the first unknown option, else the first surplus argument, else an empty string.
 std::string first_unknown(const CLI::App& app) {
   std::vector<std::string> unknown = app.remaining();
   unknown.erase(std::remove(unknown.begin(), unknown.end(), "--"), unknown.end());
@@ -73,7 +72,7 @@ std::string first_unknown(const CLI::App& app) {
   return option != unknown.end() ? *option : unknown.front();
 }
 
-// The name of an option in other programs, and here: the first that the command has.
+// The name of an option in other programs, and its names here. The first that a command has counts.
 struct Synonym {
   const char* name;
   std::vector<const char*> options;
@@ -111,7 +110,7 @@ std::string unknown_option(const std::string& argument, const CLI::App& app) {
   return "'" + option + "' is not an option of " + app.get_name() + "; " + remedy;
 }
 
-// The commands to suggest if a file was given and no command.
+// Returns the commands to suggest if a file but no command was given.
 std::string lines_for_file(const std::string& file) {
   const bool is_plain = file.find_first_of(" '\"$&;()<>|*?[]\\!") == std::string::npos;
   const std::string name = is_plain ? file : "FILE";
@@ -153,7 +152,7 @@ std::string surplus(const std::string& argument, const CLI::App& app) {
   return "'" + argument + "' is an unexpected argument; " + remedy;
 }
 
-// Empty if an app has all its arguments.
+// Returns an empty string if all arguments are known.
 std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   const std::string argument = first_unknown(app);
   if (argument.empty()) return "";
@@ -162,13 +161,13 @@ std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   if (is_command_missing && !is_option(first)) return unknown_command(first, app);
   if (is_option(argument)) return unknown_option(argument, app);
   if (app.get_parent() == nullptr) return unknown_command(argument, app);
-  // Any other error comes before a surplus: often the value of an option is missing, and it has
-  // taken the next argument.
+  // Other errors come before a surplus argument. Often an option lacks its value and has consumed
+  // the next argument.
   if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return "";
   return surplus(argument, app);
 }
 
-// The option whose value is missing, one too many, or of another kind; else none.
+// Returns the option whose value is missing, surplus or of the wrong kind; else null.
 const CLI::Option* mistaken_option(const CLI::App& command, const CLI::Error& error) {
   if (error.get_name() != "ArgumentMismatch" && error.get_name() != "ConversionError")
     return nullptr;
@@ -177,7 +176,7 @@ const CLI::Option* mistaken_option(const CLI::App& command, const CLI::Error& er
   return command.get_option_no_throw(what.substr(start, what.find_first_of(": ", start) - start));
 }
 
-// CLI11's own messages in the form of all others: fault, value, remedy.
+// Rewrites CLI11's own messages as fault, value and remedy.
 std::string plain(const std::string& what) {
   static const std::regex member(R"((\S+): (.*) not in \{(.*)\})");
   static const std::pair<std::regex, const char*> rules[] = {
@@ -194,13 +193,13 @@ std::string plain(const std::string& what) {
   return what;
 }
 
-// As in "B is missing; write discmc compare [OPTIONS] A B".
+// Example: "B is missing; write discmc compare [OPTIONS] A B".
 std::string missing_argument(const CLI::App& command, const CLI::Error& error) {
   const std::string what = error.what();
   return what.substr(0, what.find(' ')) + " is missing; write " + outline_of(command).usage;
 }
 
-// For several numbers the message has the range of each.
+// If an option has several numbers, the message gives the range of each.
 std::string wrong_item(const CLI::App& command, const CLI::Error& error) {
   const std::string what = error.what();
   const CLI::Option* option = command.get_option_no_throw(what.substr(0, what.find(':')));

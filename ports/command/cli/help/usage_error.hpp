@@ -6,8 +6,8 @@
 
 namespace discmc::command {
 
-/// For CLI::App::failure_message. Reports unknown options first, with the nearest known name: an
-/// unknown option often causes the error of another.
+/// For CLI::App::failure_message. Reports unknown options first, with the nearest known name,
+/// because an unknown option often causes other errors.
 std::string usage_error(const CLI::App* app, const CLI::Error& error);
 
 }  // namespace discmc::command

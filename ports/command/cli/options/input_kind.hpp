@@ -10,15 +10,15 @@
 
 namespace discmc::command {
 
-/// Whether the input is a volume, or a stream, by its name, or else by the given options. Nothing
-/// if neither decides.
+/// Whether the input is a volume: by its name, otherwise by the given options. Returns nothing if
+/// neither decides.
 std::optional<bool> is_volume_input(const CLI::App& app, const std::string& input);
 
-/// Throws CLI::ValidationError when the input is a mesh and an option is given for a volume, a
-/// stream or the making of a mesh.
+/// Throws CLI::ValidationError if the input is a mesh and an option needs a volume, a stream or the
+/// making of a mesh.
 void check_mesh_input(const CLI::App& app, const std::string& input);
 
-/// Throws CLI::ValidationError when an option is given that is for the other kind of input.
+/// Throws CLI::ValidationError if an option is for the other kind of input.
 void check_kind(const CLI::App& app, const std::string& input, bool is_volume);
 
 constexpr const char* stream_group = "Stream";

@@ -10,13 +10,13 @@
 namespace discmc::command {
 namespace {
 
-// As in "out.stl", or ".stl on standard output".
+// Example: "out.stl", or ".stl on standard output".
 std::string named(const std::string& output) {
   if (!is_standard_output(output)) return output;
   return std::string(traits_of(format_of(output)).extension) + " on standard output";
 }
 
-// What to give in its place.
+// Suggests formats to use instead.
 std::string other_format(const std::string& output, bool FormatTraits::*holds) {
   return is_standard_output(output) ? "--format " + extensions(holds)
                                     : "a " + extensions(holds) + " name";

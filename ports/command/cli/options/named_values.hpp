@@ -13,7 +13,7 @@ namespace discmc::command {
 template <typename T>
 using NamedValues = std::vector<std::pair<std::string, T>>;
 
-/// Adds an option that takes one of the names. take: called with its value.
+/// Adds an option with one of the names as its value. take: called with the named value.
 template <typename T>
 CLI::Option* add_named_option(CLI::App& app, const std::string& option,
                               const std::function<void(T)>& take, const NamedValues<T>& values,
@@ -34,7 +34,8 @@ CLI::Option* add_named_option(CLI::App& app, const std::string& option,
       ->option_text(CLI::detail::join(names, "|"));
 }
 
-/// The same into a value: optional<T>, or T, which is the default. It must outlive the parsing.
+/// Likewise stores the value: in an optional<T>, or in a T that holds the default. `value` must
+/// outlive the parsing.
 template <typename Value, typename T>
 CLI::Option* add_named_option(CLI::App& app, const std::string& option, Value& value,
                               const NamedValues<T>& values, const std::string& description) {

@@ -1,5 +1,4 @@
-// Checks of option values that several commands share; what they return is an error, and wrong
-// usage.
+// Checks of option values for several commands. Each check returns the text of an error.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -22,8 +21,7 @@ namespace discmc::command {
   throw CLI::ValidationError(option, reason);
 }
 
-/// A finite number for which the condition holds. wanted: the expected value, for
-/// the message.
+/// Accepts a finite number that fulfils the condition. wanted: the expected value, for the message.
 template <class Condition>
 CLI::Validator accepted(Condition holds, const std::string& wanted) {
   return CLI::Validator(
@@ -51,7 +49,7 @@ inline CLI::Validator finite() {
   return accepted([](double) { return true; }, "a finite number");
 }
 
-/// The spacing of a stream is a count of nanometres in 32 bits.
+/// Accepts a spacing that fits a stream: a 32-bit count of nanometres.
 inline CLI::Validator usable_spacing() {
   return CLI::Validator(
       [](std::string& text) {
@@ -73,8 +71,8 @@ inline CLI::Validator not_negative() {
       "");
 }
 
-/// A file whose name ends in one of these, which begin with a dot, or standard output by the name
-/// "-". what: the fault, for the message.
+/// Accepts a file whose name ends in one of the extensions (with their dots), or "-" for standard
+/// output. what: the fault, for the message.
 inline CLI::Validator named_with(const std::vector<std::string>& extensions,
                                  const std::string& what) {
   return CLI::Validator(
@@ -88,7 +86,7 @@ inline CLI::Validator named_with(const std::vector<std::string>& extensions,
       "");
 }
 
-/// For commands that write one surface, and so support no {name}.
+/// Refuses {name} for commands that write one surface.
 inline CLI::Validator without_braces() {
   return CLI::Validator(
       [](std::string& text) {
@@ -101,7 +99,7 @@ inline CLI::Validator without_braces() {
       "");
 }
 
-/// Bytes as CLI::AsSizeValue takes them, of the units that memory has.
+/// Converts bytes like CLI::AsSizeValue, with units of memory only.
 inline CLI::Validator count_of_bytes() {
   return CLI::Validator(
       [](std::string& text) {
@@ -118,13 +116,13 @@ inline CLI::Validator count_of_bytes() {
       "");
 }
 
-/// --memory: bytes, with K, M or G for powers of 1024.
+/// Adds --memory: bytes, with K, M or G for powers of 1024.
 inline CLI::Option* add_memory_option(CLI::App& app, std::uint64_t& memory,
                                       const std::string& description) {
-  constexpr std::uint64_t max_number = std::uint64_t{1} << 60;  // more than there is anywhere
+  constexpr std::uint64_t max_number = std::uint64_t{1} << 60;  // more than any computer has
   return app.add_option("--memory", memory, description)
       ->transform(CLI::AsSizeValue(false))
-      ->transform(count_of_bytes())  // which comes before the other
+      ->transform(count_of_bytes())  // runs before the previous check
       ->check(CLI::Range(std::uint64_t{1}, max_number))
       ->option_text("BYTES");
 }

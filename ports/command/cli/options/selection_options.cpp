@@ -15,7 +15,8 @@ bool is_rounded(const std::string& text) {
   return whole && whole->is_rounded();
 }
 
-// The first whole number of a threshold or a range that double would round; else empty.
+// Returns the first whole number of a threshold or range that double would round, or an empty
+// string.
 std::string rounded_part(const std::string& text) {
   const std::size_t dots = text.find("..");
   for (const std::string& part :
@@ -24,7 +25,7 @@ std::string rounded_part(const std::string& text) {
   return "";
 }
 
-// Nothing where double would make another number of it.
+// Returns nothing if double would round the number.
 std::optional<double> exact_number(const std::string& text) {
   return is_rounded(text) ? std::nullopt : finite_number(text);
 }
@@ -40,7 +41,7 @@ std::optional<NamedSelection> threshold(const std::string& text) {
   return low ? std::optional(NamedSelection{{*low}, text}) : std::nullopt;
 }
 
-// An end that is left out is infinite.
+// A missing end is infinite.
 std::optional<NamedSelection> range(const std::string& text) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos || text.size() == 2) return std::nullopt;

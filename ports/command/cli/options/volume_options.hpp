@@ -1,4 +1,4 @@
-// Options of commands that read a volume: how its file is read, and which surface of it is taken.
+// Options of commands that read a volume: how to read its file, and which surface to extract.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,26 +11,26 @@ namespace discmc::command {
 
 constexpr const char* volume_group = "Volume";
 
-/// The layout of a headerless file; what is chosen of a file, and how it is read; the part that is
-/// taken. options: must outlive the parsing.
+/// Adds the options for the layout of a headerless file, for the choice among a file's volumes, and
+/// for the cropped part. options: must outlive the parsing.
 void add_volume_options(CLI::App& app, VolumeOptions& options);
 
-/// Takes the arguments behind a volume as further files of it: a shell puts them in the place of a
-/// pattern. Limit: in the callback of an app that allows extras. Throws: CLI::ExtrasError where
-/// they are no volumes.
+/// Accepts the arguments behind a volume as further files of it, because a shell expands a pattern
+/// to them. Limit: in the callback of an app that allows extras. Throws CLI::ExtrasError if they
+/// are not volumes.
 void take_other_files(const CLI::App& app, VolumeOptions& options);
 
-/// --iso, --range and --label: one of them, and of extract several times.
+/// Adds --iso, --range and --label. Commands accept one of them; extract accepts several.
 void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selections);
 
 constexpr const char* surface_group = "Surface";
 
-/// --labels and --label-table. The options of add_surface_options() come before. labels: those that
-/// are asked for. result: what each label becomes.
+/// Adds --labels and --label-table. Call add_surface_options() before. labels: the requested ones.
+/// result: what each label becomes, for the help.
 void add_label_options(CLI::App& app, std::string& labels, VolumeArguments& arguments,
                        const std::string& result);
 
-/// Refuses a table without labels, and labels with what would change their voxels. Throws:
+/// Refuses a label table without labels, and options that would change the voxels of labels. Throws
 /// CLI::ValidationError.
 void check_label_options(const std::string& labels, const VolumeArguments& arguments);
 
