@@ -1,4 +1,4 @@
-// What an extractor does with the memory that it is given.
+// How an extractor uses the memory that it is given.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace discmc::command {
 
-/// Whether 16-bit indices count as many slots as so much memory holds of the wider ones: up to
-/// half a MiB. A scan on the host then is one on a device.
+/// Whether 16-bit indices count all slots that this memory holds with 32-bit indices, which is true
+/// up to half a MiB. The scan then equals a scan on a device.
 template <class Normals = BitIntake>
 bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
   return detail::sizing::default_capacities<std::uint16_t, Normals>(limits, memory).slots >=
          detail::sizing::default_capacities<std::uint32_t, Normals>(limits, memory).slots;
 }
 
-/// The message for memory that an extractor refuses. Units: bytes.
+/// Returns the message for memory that is too small for an extractor. Units: bytes.
 inline std::string too_little_memory(std::uint64_t bytes, const Limits& limits,
                                      std::uint64_t least) {
   return "--memory " + std::to_string(bytes) + " is too little for slices of " +

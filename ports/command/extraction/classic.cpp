@@ -12,14 +12,15 @@
 namespace discmc::command {
 namespace {
 
-// The diagonals of a fan stay off the faces of the cell: there the neighbour may have the same one.
+// Whether all diagonals of a fan avoid the faces of the cell. On a face, the neighbour's fan may
+// have the same diagonal.
 bool is_inside(const Loop& loop, int apex) {
   for (int i = 2; i + 1 < loop.count; ++i)
     if (face_of(loop.point[apex], loop.point[(apex + i) % loop.count]) != faces) return false;
   return true;
 }
 
-// Every loop begins where its fan does. There is such a place in all of them.
+// Rotates every loop to begin at the apex of its fan. Each loop has such an apex.
 std::array<Loops, configurations> fans() {
   std::array<Loops, configurations> result{};
   for (std::size_t c = 0; c < result.size(); ++c) {
@@ -37,7 +38,8 @@ std::array<Loops, configurations> fans() {
 constexpr std::uint32_t no_vertex = 0xFFFFFFFFu;
 constexpr double halo = -std::numeric_limits<double>::infinity();
 
-// What the samples that are on exceed, and no other reaches: between whole numbers in the middle.
+// Returns a level that exactly the samples that are on exceed: for whole numbers, half a unit below
+// the least of them.
 double level_below(const VolumeInfo& info, const Selection& selection) {
   return with_sample_type(info.type, [&](auto type) {
     using Sample = decltype(type);
@@ -81,9 +83,9 @@ class Cubes {
   FaceMesh take() { return std::move(mesh_); }
 
  private:
-  // A slice of voxels, the halo around it, and the vertices on the edges that begin there.
+  // A slice of voxels with its halo, and the vertices on the edges that begin in the slice.
   struct Slice {
-    std::vector<double> value;  // above the level; a voxel is on where it is positive
+    std::vector<double> value;  // height above the level; positive if the voxel is on
     std::array<std::vector<std::uint32_t>, 3> crossings;  // along x, y, and z towards `above_`
   };
 
@@ -94,7 +96,7 @@ class Cubes {
     std::fill(above_.value.begin(), above_.value.end(), halo);
   }
 
-  // What is no finite number, and off, is as far below as the halo.
+  // An infinite or NaN sample that is off has the value of the halo.
   double value_of(double sample) const {
     const double value = sample - level_;
     return value > 0    ? std::min(value, std::numeric_limits<double>::max())
@@ -159,7 +161,7 @@ class Cubes {
   std::size_t border_, width_, height_;
   double level_;
   bool mirrored_;
-  std::uint32_t slices_ = 0;  // before the one above
+  std::uint32_t slices_ = 0;  // number of slices below `above_`
   Slice below_, above_;
   FaceMesh mesh_;
 };

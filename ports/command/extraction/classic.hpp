@@ -1,4 +1,4 @@
-// Classic Marching Cubes: what the merged polygons are to be compared with.
+// Classic Marching Cubes, for comparison with the merged polygons.
 #pragma once
 
 #include "extraction.hpp"
@@ -8,11 +8,10 @@
 
 namespace discmc::command {
 
-/// Reads the volume to its end and makes triangles of the same topology as extract(). Every loop of
-/// a cell is a fan over its edge crossings. Crossings are interpolated between the two samples, at
-/// half a stored unit below the threshold. Next to the halo of a closed border they are in the
-/// middle. Each triangle is a polygon of its own. options.memory has no meaning here. Throws
-/// VolumeError as the reader does.
+/// Reads the volume to its end and makes triangles of the same topology as extract(). Each loop of
+/// a cell is a fan over its edge crossings, and each triangle is a polygon. Crossings are
+/// interpolated between two samples, at half a stored unit below the threshold; next to the halo of
+/// a closed border they are halfway. options.memory is ignored. Throws VolumeError from the reader.
 FaceMesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options);
 
 }  // namespace discmc::command

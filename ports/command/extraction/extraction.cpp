@@ -39,11 +39,11 @@ ArenaSize arena_of(const Limits& limits, std::uint64_t bytes) {
   return {false, bytes, detail::sizing::default_capacities<std::uint32_t, Normals>(limits, bytes)};
 }
 
-// What is asked for, or a generous one. Throws where an extractor would refuse.
+// Returns the requested arena, or a generous one. Throws if an extractor would refuse it.
 template <class Normals>
 ArenaSize arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOptions& options) {
   if (options.capacities) return arena_with<Normals>(limits, *options.capacities);
-  // More than the worst case needs is never touched.
+  // The scan never touches more memory than its worst case needs.
   const std::uint64_t most = detail::sizing::bytes_for<std::uint32_t, Normals>(
       limits, worst_case_capacities(limits, slices));
   const std::uint64_t asked =
@@ -60,7 +60,7 @@ std::vector<Extraction> extract_with(SliceReader& volume, const ExtractionOption
                                   : extract_by<Wide>(volume, limits, options, arena, surfaces);
 }
 
-// Three numbers, for people.
+// Lists three numbers for people.
 template <class Numbers>
 std::string list(const Numbers& numbers, const char* separator) {
   std::ostringstream text;

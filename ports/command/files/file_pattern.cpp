@@ -9,9 +9,10 @@
 namespace discmc::command {
 namespace {
 
-// Cut, between two characters of UTF-8, so that a name of a file still holds it and what is around.
+// Shortens a name between two characters of UTF-8, so that it fits a file name with the pattern's
+// other text.
 std::string shortened(std::string name) {
-  constexpr std::size_t max_bytes = 100;  // of the 255 bytes that file systems give a name
+  constexpr std::size_t max_bytes = 100;  // file systems allow 255 bytes
   if (name.size() <= max_bytes) return name;
   const auto continues = [&name](std::size_t at) {
     return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80;
@@ -21,7 +22,7 @@ std::string shortened(std::string name) {
   return name.substr(0, end);
 }
 
-// Without what would be a path or a control character.
+// Replaces separators of paths and control characters.
 std::string in_file_names(const std::string& text) {
   constexpr std::string_view forbidden = "/\\:*?\"<>|";
   std::string result;

@@ -14,18 +14,18 @@ class FilePattern {
 
   bool has_name() const { return pattern_.find(placeholder) != std::string::npos; }
 
-  /// The first text in braces, with them; empty where there is none.
+  /// Returns the first text in braces, with the braces, or an empty string.
   std::string first_placeholder() const { return first_in_braces({}); }
 
-  /// The first text in braces that is not {name}, with them; empty where there is none.
+  /// Returns the first text in braces that is not {name}, with the braces, or an empty string.
   std::string unknown_placeholder() const { return first_in_braces(placeholder); }
 
-  /// What no name of a file can have becomes an underscore; a long name is cut, but not the
-  /// addition that makes it unique.
+  /// Returns the file for a name. Characters that no file name can contain become underscores. A
+  /// long name is shortened, but not the addition that makes it unique.
   std::string file_for(const std::string& name, const std::string& addition = {}) const;
 
-  /// Throws, before work is done, std::invalid_argument where {name} is in the name of a folder,
-  /// and as command::require_folder().
+  /// Checks the folder before any work is done. Throws std::invalid_argument if {name} is part of
+  /// the folder, and like command::require_folder().
   void require_folder() const;
 
  private:
@@ -36,7 +36,7 @@ class FilePattern {
   std::string pattern_;
 };
 
-/// The last part of a path: the name of the file, or of the folder, also where a slash follows it.
+/// Returns the last part of a path, the name of a file or folder, even if a slash follows it.
 std::string input_name(const std::string& input);
 
 }  // namespace discmc::command

@@ -18,9 +18,8 @@
 namespace discmc::command {
 namespace {
 
-// Writes to a descriptor of the system, which std::ofstream cannot be given. What is left in the
-// buffer is written by a flush of the stream only. Seeks if the file can. Errors: the stream turns
-// bad, and errno has the cause.
+// Writes to a file descriptor, which std::ofstream cannot do. Only a flush of the stream writes the
+// rest of the buffer. Seeks if the file can. Errors: the stream turns bad, and errno has the cause.
 class DescriptorBuffer final : public std::streambuf {
  public:
   explicit DescriptorBuffer(int descriptor) : descriptor_(descriptor) { empty(); }
@@ -62,7 +61,7 @@ class DescriptorBuffer final : public std::streambuf {
   std::array<char, 8192> waiting_;
 };
 
-// What a signal that ends the program removes first; nothing when empty.
+// The file that a terminating signal removes first; empty: none.
 char unfinished[4096] = "";
 
 void remove_unfinished(int signal) {
@@ -81,7 +80,7 @@ void set_unfinished(const std::string& file) {
     if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
-// What a link leads to, whether it is there or not. Limit: links end somewhere.
+// Returns the target of a chain of links, even if it does not exist. Limit: the chain ends.
 std::filesystem::path target_of(std::filesystem::path path) {
   while (std::filesystem::is_symlink(path))
     path = path.parent_path() / std::filesystem::read_symlink(path);
@@ -97,8 +96,8 @@ std::string random_letters() {
   return letters;
 }
 
-// Creates a file beside the target, of an unforeseeable name that nothing has, not even a link.
-// Another process may write the same target, and others may write into the folder.
+// Creates a file beside the target under an unpredictable, unused name. Another process may write
+// to the same target, and others may write into the folder.
 int create_beside(const std::filesystem::path& target, mode_t mode,
                   std::filesystem::path& temporary) {
   constexpr int max_tries = 100;
@@ -111,12 +110,12 @@ int create_beside(const std::filesystem::path& target, mode_t mode,
   return descriptor;
 }
 
-// Writes to the disk, so that it outlasts a power failure, where the file system can.
+// Writes the file to the disk, if the file system can, so that it survives a power failure.
 bool is_synced(int descriptor) {
   return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
-// The names in a folder. One that must not be read cannot be synced.
+// Writes the names in a folder to the disk. A folder without read permission cannot be synced.
 bool is_folder_synced(const std::filesystem::path& folder) {
   const int descriptor =
       open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -177,7 +176,7 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
 void OutputFile::open_beside(const std::filesystem::file_status& replaced) {
   const bool replaces = std::filesystem::exists(replaced);
   constexpr mode_t own = S_IRUSR | S_IWUSR;
-  constexpr mode_t usual = own | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;  // what umask is taken from
+  constexpr mode_t usual = own | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;  // before umask
   descriptor_ = create_beside(target_, replaces ? own : usual, temporary_);
   if (descriptor_ < 0) return;
   set_unfinished(temporary_.string());

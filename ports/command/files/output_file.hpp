@@ -9,20 +9,20 @@
 
 namespace discmc::command {
 
-/// Throws std::runtime_error with the reason if no file can be made in the folder.
+/// Throws std::runtime_error with the reason if the folder cannot hold a new file.
 void require_folder(const std::filesystem::path& folder);
 
 /// Whether an output of this name is standard output: "-", or "-." with the extension of a format.
 bool is_standard_output(const std::filesystem::path& path);
 
-/// What an output of this name is called in messages.
+/// Returns the name of an output for messages.
 std::string output_for_people(const std::filesystem::path& path);
 
-/// A file that appears under its name only when commit() is reached. An earlier failure, or a
-/// signal that ends the program, leaves no half-written file. A power failure after commit() loses
-/// nothing. Until then it lies beside its target under a random name. A link stays, and its target
-/// is written; a file that is replaced keeps its permissions. Standard output, pipes and devices
-/// are written in place. Limit: of several, a signal removes the last.
+/// A file that gets its name only by commit(). An earlier failure, or a terminating signal, leaves
+/// no incomplete file. A power failure after commit() loses nothing. Until then the file has a
+/// random name beside its target. A link stays, and its target is replaced; a replaced file keeps
+/// its permissions. Standard output, pipes and devices are written in place. Limit: of several
+/// files, a signal removes only the last.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -31,9 +31,9 @@ class OutputFile {
   ~OutputFile();
 
   std::ostream& stream();
-  /// Whether the stream can seek: no pipe, device or standard output can.
+  /// Whether the stream can seek; pipes, devices and standard output cannot.
   bool can_seek() const { return !is_in_place(); }
-  /// Throws std::runtime_error when not everything could be written.
+  /// Throws std::runtime_error if some bytes could not be written.
   void commit();
 
  private:
@@ -42,9 +42,9 @@ class OutputFile {
   void open_beside(const std::filesystem::file_status& replaced);
   void discard();
 
-  std::filesystem::path path_;       // as given
-  std::filesystem::path target_;     // of links; empty in place
-  std::filesystem::path temporary_;  // beside it, as long as it is there
+  std::filesystem::path path_;       // as the caller names it
+  std::filesystem::path target_;     // after following links; empty if written in place
+  std::filesystem::path temporary_;  // beside the target, until commit()
   int descriptor_ = -1;
   std::unique_ptr<std::streambuf> buffer_;
   std::ostream stream_{nullptr};

@@ -1,4 +1,4 @@
-// A file for what does not fit in memory.
+// A file for data that does not fit in memory.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace discmc::command {
 
-/// In the folder that TMPDIR names, without a name of its own: it is gone when the program ends,
-/// however it ends. All throw std::runtime_error where the system refuses.
+/// A file without a name in the folder TMPDIR. It disappears when the program ends, for whatever
+/// reason. All functions throw std::runtime_error if the system refuses.
 class TemporaryFile {
  public:
   TemporaryFile();
@@ -15,9 +15,9 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile();
 
-  /// Returns where the bytes begin.
+  /// Returns the offset of the bytes.
   std::uint64_t append(const void* data, std::size_t bytes);
-  /// Limit: bytes that were appended.
+  /// Limit: only bytes that were appended.
   void read(std::uint64_t from, void* data, std::size_t bytes) const;
 
  private:

@@ -1,4 +1,4 @@
-// The message of a write that failed.
+// The message for a failed write.
 #pragma once
 
 #include <cerrno>
@@ -9,8 +9,9 @@
 
 namespace discmc::command {
 
-/// As in "writing failed (No space left on device); free space, or write to another disk". Call it
-/// soon after the write: the reason is in errno, and is left out if errno has another origin.
+/// Returns a message such as "writing failed (No space left on device); free space, or write to
+/// another disk". Call it soon after the write, because the reason is in errno. The message omits
+/// the reason if errno has another origin.
 inline std::string write_failure() {
   std::string reason;
   for (const int of_writes : {ENOSPC, EDQUOT, EFBIG, EIO, EPIPE})

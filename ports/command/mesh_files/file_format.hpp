@@ -1,4 +1,4 @@
-// Formats of the files that a command writes, by their names.
+// Formats of the files that a command writes, by extension.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,20 @@ struct FormatTraits {
   const char* extension;
   bool holds_polygons;  ///< faces of more than three corners
   bool holds_normals;   ///< of vertices
-  bool holds_several;   ///< meshes, each with its name and colour, or their measures
-  bool holds_doubles;   ///< coordinates of 64 bits, or all their digits
-  bool holds_measures;  ///< of meshes, in place of meshes
-  bool is_text;         ///< that a terminal can show
+  bool holds_several;   ///< several meshes with names and colours, or their measures
+  bool holds_doubles;   ///< coordinates as 64-bit numbers, or with all digits
+  bool holds_measures;  ///< measures of meshes instead of meshes
+  bool is_text;         ///< readable on a terminal
 };
 
-/// By the extension; "-" is the stream. Throws std::invalid_argument with the
-/// extensions that are known.
+/// Returns the format of an extension; "-" is a stream. Throws std::invalid_argument with the
+/// supported extensions.
 Format format_of(const std::filesystem::path& path);
 
 const FormatTraits& traits_of(Format format);
 
-/// The extensions of all formats, as ".obj, .ply or .stl"; or only of those of meshes that hold
-/// something.
+/// Returns the extensions of all formats, such as ".obj, .ply or .stl". With `holds`, only mesh
+/// formats that have the trait.
 std::string extensions(bool FormatTraits::*holds = nullptr);
 
 }  // namespace discmc::command

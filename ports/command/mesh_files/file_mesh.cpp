@@ -36,7 +36,7 @@ FileMesh joined(std::vector<FileMesh> parts) {
   FileMesh all;
   for (FileMesh& part : parts) {
     append(part, all);
-    part = {};  // its memory is the next one's
+    part = {};  // frees memory for the next part
   }
   return all;
 }
@@ -67,7 +67,7 @@ double float_step_mm(const FileMesh& mesh, const Point& origin) {
 }
 
 bool suits_floats(const FileMesh& mesh, const Point& origin) {
-  constexpr double steps = 500;  // in a voxel: rounding moves by half a step
+  constexpr double steps = 500;  // per voxel; rounding moves a vertex by half a step
   return steps * float_step_mm(mesh, origin) <= min_spacing_mm(mesh);
 }
 

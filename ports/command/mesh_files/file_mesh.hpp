@@ -1,4 +1,4 @@
-// A mesh with what a file holds beside it.
+// A mesh with the further content of its file.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,16 @@
 
 namespace discmc::command {
 
-/// The length of 1 in the coordinates of a mesh.
+/// The unit of a mesh's coordinates.
 enum class MeshUnit { millimetre, micrometre, metre, inch };
 
 struct FileMesh : FaceMesh {
   FileMesh() = default;
   FileMesh(FaceMesh mesh) : FaceMesh(std::move(mesh)) {}
 
-  std::optional<Srgb> colour;            ///< of all of it, where one was given
-  std::string name;                      ///< in a file that holds several
-  std::optional<std::int64_t> voxels;    ///< inside the surface, where they were counted
+  std::optional<Srgb> colour;            ///< of the whole mesh, if set
+  std::string name;                      ///< if the file holds several meshes
+  std::optional<std::int64_t> voxels;    ///< inside the surface, if counted
   Space space = Space::scanner;          ///< of the coordinates
   MeshUnit unit = MeshUnit::millimetre;  ///< of all lengths, once resize() has changed it
 };
@@ -37,27 +37,28 @@ struct MeshSize {
   bool is_given() const { return unit != MeshUnit::millimetre || scale != 1; }
 };
 
-/// Turns millimetres into these. Call it last: what has a length in its name is then in this unit.
+/// Converts millimetres to the requested unit and scale. Call it last: afterwards members named
+/// `_mm` are in this unit.
 void resize(FileMesh& mesh, const MeshSize& size);
 
-/// A symbol, the word for several, and the word of 3MF.
+/// The symbol of a unit, its plural, and its name in 3MF.
 struct UnitNames {
   const char *symbol, *plural, *word_of_3mf;
 };
 const UnitNames& names_of(MeshUnit unit);
 
-/// The faces of all, in their order, with their polygons and normals; a single mesh as it is.
-/// Limit: all have normals, or none.
+/// Joins all faces in order, with their polygons and normals; returns a single mesh unchanged.
+/// Limit: all parts have normals, or none.
 FileMesh joined(std::vector<FileMesh> parts);
 
-/// The distance from one float to the next where a mesh is farthest from the origin. Units:
+/// Returns the distance between neighbouring floats at the vertex farthest from the origin. Units:
 /// millimetres.
 double float_step_mm(const FileMesh& mesh, const Point& origin = {});
 
-/// Whether floats move no vertex by more than a thousandth of a voxel.
+/// Whether rounding to floats moves no vertex by more than a thousandth of a voxel.
 bool suits_floats(const FileMesh& mesh, const Point& origin = {});
 
-/// How many different places the vertices have as floats. Limit: as FileMesh::vertices_mm.
+/// Counts the distinct positions of the vertices as floats. Limit: as FileMesh::vertices_mm.
 std::size_t count_float_places(const FileMesh& mesh, const Point& origin = {});
 
 }  // namespace discmc::command

@@ -12,7 +12,7 @@
 namespace discmc::command {
 namespace {
 
-// Names of the format.
+// Constants of glTF.
 constexpr std::uint32_t magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr int floats = 5126, unsigned_integers = 5125, vertex_buffer = 34962, index_buffer = 34963;
 
@@ -22,15 +22,15 @@ std::string decimals(const Point& point) {
   return decimal(point[0]) + "," + decimal(point[1]) + "," + decimal(point[2]);
 }
 
-// By columns, as the format has it: from millimetres with z upwards, seen from an origin, to metres
-// with y upwards.
+// Returns a matrix by columns, as glTF requires. It converts millimetres with z upwards, relative
+// to an origin, to metres with y upwards.
 std::string matrix_from(const Point& origin) {
   constexpr double metres = 0.001;
   const Point moved = {metres * origin[0], metres * origin[2], metres * (0 - origin[1])};
   return "[0.001,0,0,0,0,0,-0.001,0,0,0.001,0,0," + decimals(moved) + ",1]";
 }
 
-// The format has linear light.
+// Converts to linear light, which glTF uses.
 Point linear(const Srgb& colour) {
   Point light;
   std::transform(colour.begin(), colour.end(), light.begin(),
@@ -38,12 +38,13 @@ Point linear(const Srgb& colour) {
   return light;
 }
 
-// As a member of an object that has more; nothing without a name.
+// Returns a member of a JSON object that has further members, or an empty string if the mesh has no
+// name.
 std::string name_member(const FileMesh& mesh) {
   return mesh.name.empty() ? "" : "\"name\":" + json_string(mesh.name) + ",";
 }
 
-// Seen from both sides: a surface may be open.
+// The material is visible from both sides, because a surface may be open.
 std::string material(const FileMesh& mesh) {
   const Point colour = mesh.colour ? linear(*mesh.colour) : plaster;
   return "{" + name_member(mesh) +
@@ -51,7 +52,7 @@ std::string material(const FileMesh& mesh) {
          R"(,1],"metallicFactor":0,"roughnessFactor":0.8}})";
 }
 
-// The bounds of positions that the format requires: "min" and "max" of what is written.
+// Returns the "min" and "max" of the written positions, which glTF requires.
 std::string extent_of(const std::vector<Point>& points, const Point& origin) {
   Point low, high;
   low.fill(std::numeric_limits<double>::infinity());
@@ -65,10 +66,10 @@ std::string extent_of(const std::vector<Point>& points, const Point& origin) {
   return ",\"min\":[" + decimals(low) + "],\"max\":[" + decimals(high) + "]";
 }
 
-// The arrays of the binary chunk, one after another, as JSON describes them.
+// The arrays of the binary chunk, and their description in JSON.
 class Arrays {
  public:
-  // Returns the number of the array.
+  // Returns the index of the array.
   std::string add(int type, const char* shape, std::uint64_t count, std::uint64_t bytes, int target,
                   const std::string& more = {}) {
     std::string number = std::to_string(count_++);
@@ -110,7 +111,7 @@ std::string primitive(const FileMesh& mesh, const Point& origin, const std::stri
          ",\"material\":" + material_number + "}";
 }
 
-// meshes: with faces.
+// meshes: each has faces.
 std::string describe(const Meshes& meshes, const Point& origin, Arrays& arrays) {
   std::string json = R"({"asset":{"version":"2.0","generator":"discmc"},"scene":0,"scenes":[{)";
   if (meshes.empty()) return json + "}]}";
@@ -133,7 +134,7 @@ std::string describe(const Meshes& meshes, const Point& origin, Arrays& arrays) 
 
 void write_arrays(const FileMesh& mesh, const Point& origin, Writer& writer) {
   for (const Point& vertex : mesh.vertices_mm) writer.floats(difference(vertex, origin));
-  // The format allows no vertex without a normal, either.
+  // glTF also requires a normal for every vertex.
   for (const Point& normal : mesh.normals)
     writer.floats(normal == Point{} ? Point{0, 0, 1} : normal);
   for (const std::uint32_t corner : mesh.corners) writer.bytes(corner, 4);
@@ -149,7 +150,7 @@ Point glb_origin(const Meshes& meshes) {
 }
 
 void write_glb(const Meshes& meshes, std::ostream& out) {
-  const Meshes seen = with_faces(meshes);  // the format allows no empty arrays
+  const Meshes seen = with_faces(meshes);  // glTF allows no empty arrays
   for (const FileMesh* mesh : seen) require_triangles(*mesh, "GLB");
   Arrays arrays;
   const Point origin = glb_origin(seen);

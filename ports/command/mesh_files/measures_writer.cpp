@@ -11,7 +11,7 @@
 namespace discmc::command {
 namespace {
 
-// A key and a number, or none.
+// A key and its number, if there is one.
 using Field = std::pair<std::string, std::optional<std::string>>;
 
 void add_point(std::vector<Field>& fields, const std::string& key, const std::optional<Point>& at) {
@@ -41,7 +41,7 @@ std::vector<Field> fields_of(const FileMesh& mesh) {
   return fields;
 }
 
-// With quotes where it needs them.
+// Quotes the text if CSV requires this.
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

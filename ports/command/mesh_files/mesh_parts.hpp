@@ -1,4 +1,4 @@
-// A mesh in parts: each is made when it is written, so that the mesh is never in memory.
+// A mesh in parts. Each part is made when it is written, so the whole mesh is never in memory.
 #pragma once
 
 #include <cstddef>
@@ -14,27 +14,26 @@
 
 namespace discmc::command {
 
-/// What a mesh came to that was written in parts.
+/// Totals of a mesh that was written in parts.
 struct MeshTotals {
   std::uint64_t faces = 0;
-  std::uint64_t edge_sum = 0;             ///< if it was asked for
+  std::uint64_t edge_sum = 0;             ///< if sums_edges
   std::vector<std::uint32_t> left_out{};  ///< as FaceMesh
 };
 
-/// The mesh of build_mesh(). Its parts are a range of its vertices, or the faces of a block of
-/// polygons.
+/// The mesh of build_mesh() in parts: ranges of its vertices, and the faces of blocks of polygons.
 class MeshParts {
  public:
   using Place = std::function<void(FileMesh&)>;
-  /// Faces, and what makes them.
+  /// The faces of a block, and their maker, which later blocks reuse.
   struct Block {
     std::unique_ptr<PlaneFaces> maker;
     FileMesh faces;
     std::uint64_t edge_sum = 0;
   };
 
-  /// place: moves a part to where the file has it; called by several threads. Limit: nothing is
-  /// interpolated. Owner: the caller has the surface.
+  /// place: moves a part to its position in the file; several threads call it. Limit: no
+  /// interpolation. Owner: the caller keeps the surface.
   MeshParts(const Surface& surface, const MeshingOptions& options, bool sums_edges, Place place)
       : surface_(surface),
         options_(options),
@@ -46,13 +45,14 @@ class MeshParts {
   std::size_t vertex_count() const { return vertices_.positions().size(); }
   std::size_t block_count() const { return meshing::block_count(surface_.polygons); }
 
-  /// The corners of a box around all vertices, placed.
+  /// Returns the corners of a box around all vertices, placed.
   FileMesh bounds() const;
-  /// Vertices from first to before end, placed. part: gets them in place of its own.
+  /// Makes the vertices from `first` to before `end`, placed. part: receives them instead of its
+  /// own.
   void make_vertices(std::size_t first, std::size_t end, FileMesh& part) const;
-  /// Faces over the numbers of all vertices, placed.
+  /// Makes faces that index all vertices of the mesh, placed.
   void make_faces(std::size_t number, Block& block) const;
-  /// The same, over vertices of their own: PlaneFaces::make_apart().
+  /// Makes faces that index vertices of their own: PlaneFaces::make_apart().
   void make_triangles(std::size_t number, Block& block) const;
 
  private:

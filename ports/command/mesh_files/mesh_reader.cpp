@@ -22,13 +22,13 @@ std::string extension_of(const std::string& file) {
   return lower(std::filesystem::path(file).extension().string());
 }
 
-// For other files, Assimp makes up materials.
+// Assimp invents materials for other files.
 bool has_materials(const std::string& file) {
   const std::string extension = extension_of(file);
   return extension == ".glb" || extension == ".gltf" || extension == ".obj" || extension == ".3mf";
 }
 
-// glTF is in metres with y upwards.
+// glTF uses metres with y upwards.
 bool is_gltf_name(const std::string& file) {
   const std::string extension = extension_of(file);
   return extension == ".glb" || extension == ".gltf";
@@ -40,7 +40,7 @@ Point in_mm(const aiVector3D& at, bool is_gltf) {
   return is_gltf ? Point{1000 * point[0], -1000 * point[2], 1000 * point[1]} : point;
 }
 
-// The colour of all vertices, if it is the same.
+// Returns the colour that all vertices share, if they do.
 std::optional<Srgb> colour_of_vertices(const aiMesh& part) {
   const aiColor4D* colours = part.mColors[0];
   if (colours == nullptr ||
@@ -50,7 +50,7 @@ std::optional<Srgb> colour_of_vertices(const aiMesh& part) {
   return Srgb{byte_of_share(colours->r), byte_of_share(colours->g), byte_of_share(colours->b)};
 }
 
-// Nothing if it is Assimp's own.
+// Returns nothing for a material that Assimp invented.
 std::optional<Srgb> colour_of(const aiMaterial& material, bool is_gltf) {
   aiColor3D colour;
   if (std::string(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME ||
@@ -59,7 +59,7 @@ std::optional<Srgb> colour_of(const aiMaterial& material, bool is_gltf) {
   Srgb parts;
   for (unsigned i = 0; i < 3; ++i) {
     const auto part = static_cast<double>(colour[i]);
-    parts[i] = byte_of_share(is_gltf ? encoded_light(part) : part);  // glTF has linear light
+    parts[i] = byte_of_share(is_gltf ? encoded_light(part) : part);  // glTF uses linear light
   }
   return parts;
 }

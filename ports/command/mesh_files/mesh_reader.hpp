@@ -1,4 +1,4 @@
-// Meshes from files, to compare with them and to draw them.
+// Reads meshes from files, for comparison and for drawing.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace discmc::command {
 
-/// Reads a file of any format that Assimp supports: vertices and triangles, each a polygon of its
-/// own. Coordinates are as in the file, except those of glTF, which is in metres with y upwards:
-/// they become millimetres with z upwards. One mesh per material, with its colour and, if there are
-/// several, its name. Throws std::runtime_error with the file's name if it cannot be read, or has
-/// no triangle, or has a vertex that is not finite. Without Assimp, it always throws.
+/// Reads a file of any format that Assimp supports: vertices and triangles, each triangle a
+/// polygon. Coordinates are as in the file, except for glTF: its metres with y upwards become
+/// millimetres with z upwards. Returns one mesh per material, with its colour and, if there are
+/// several, its name. Throws std::runtime_error with the file's name if the file cannot be read,
+/// has no triangle, or has a vertex that is not finite. Without Assimp, always throws.
 std::vector<FileMesh> read_meshes(const std::string& file);
 
 }  // namespace discmc::command

@@ -1,4 +1,4 @@
-// Where Assimp is not.
+// Replaces the mesh reader in builds without Assimp.
 #include <stdexcept>
 
 #include "mesh_reader.hpp"

@@ -8,7 +8,6 @@
 namespace discmc::command {
 namespace {
 
-// A line of OBJ.
 void write_point(const char* key, const Point& point, Writer& writer) {
   writer.text(key);
   for (const double coordinate : point) {

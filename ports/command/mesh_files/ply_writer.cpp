@@ -12,7 +12,7 @@ namespace discmc::command {
 namespace {
 
 void require_fit(std::size_t vertices) {
-  constexpr std::size_t max_number = 0x7FFFFFFF;  // numbers have a sign, as in the files of others
+  constexpr std::size_t max_number = 0x7FFFFFFF;  // many readers use signed numbers
   if (vertices > max_number)
     throw std::invalid_argument(
         "the mesh has too many vertices for PLY; write .vtp, or a part with --crop");
@@ -25,7 +25,7 @@ void require_short_faces(const FileMesh& mesh) {
           "a face has more corners than a byte of PLY counts; write triangles");
 }
 
-// Equally long for every number of faces: that of MeshParts is known last.
+// The header has a fixed length, because MeshParts counts its faces last.
 std::string ply_header(const FileMesh& mesh, bool takes_floats, std::size_t vertices,
                        std::uint64_t faces) {
   constexpr std::size_t max_digits = 20;

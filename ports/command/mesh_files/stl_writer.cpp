@@ -15,7 +15,7 @@ std::string stl_header(const FileMesh& mesh, std::uint64_t triangles) {
   if (triangles > 0xFFFFFFFFu)
     throw std::invalid_argument(
         "the mesh has too many triangles for STL; write .ply, or a part with --crop");
-  std::string header = "binary STL, ";  // "solid" would announce text
+  std::string header = "binary STL, ";  // "solid" would mark a text file
   header += header_text(mesh);
   header.resize(80, ' ');
   for (int shift = 0; shift < 32; shift += 8)
@@ -31,7 +31,7 @@ class TriangleWriter {
       put_floats(outward_normal(i, spacing_mm), normals_[i].data());
   }
 
-  // The normal, three corners, and two bytes of zero.
+  // Writes the normal, three corners, and two bytes of zero.
   void write(const FileMesh& mesh, std::size_t face, Writer& writer) const {
     char* place = writer.room_for(4 * point_bytes + 2);
     if (mesh.incidences.empty())

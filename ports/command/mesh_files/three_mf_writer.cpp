@@ -28,7 +28,7 @@ void require_ok(int result) {
   if (result != ARCHIVE_OK) throw std::runtime_error("writing failed");
 }
 
-// What is put into it goes to the entry that was begun last.
+// Writes its bytes to the last begun entry of the archive.
 class EntryBuffer : public std::streambuf {
  public:
   explicit EntryBuffer(archive* to) : archive_(to) {}
@@ -42,12 +42,12 @@ class EntryBuffer : public std::streambuf {
   archive* archive_;
 };
 
-// A ZIP archive, written from its first byte to its last. All that can fail throws
+// A ZIP archive, written from the first byte to the last. All functions that can fail throw
 // std::runtime_error.
 class ZipFile {
  public:
-  // out: outlives this. largest: no file in the archive has more bytes. Beyond 4 GiB it is of the
-  // extended kind (Zip64), which some readers do not support.
+  // out: outlives this. largest: the maximum size of a file in the archive. Beyond 4 GiB the
+  // archive needs the Zip64 extension, which some readers do not support.
   ZipFile(std::ostream& out, std::uint64_t largest)
       : archive_(archive_write_new(), archive_write_free) {
     if (!archive_) throw std::bad_alloc();
@@ -58,7 +58,7 @@ class ZipFile {
     require_ok(archive_write_open(archive_.get(), &out, nullptr, write_to_stream, nullptr));
   }
 
-  // Adds a file of what write gives to the stream, compressed.
+  // Adds a compressed file with the content that `write` sends to its stream.
   template <class Write>
   void add(const char* name, const Write& write) {
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
@@ -75,7 +75,7 @@ class ZipFile {
     require_ok(archive_write_finish_entry(archive_.get()));
   }
 
-  // Call last: writes the directory.
+  // Writes the directory. Call it last.
   void finish() { require_ok(archive_write_close(archive_.get())); }
 
  private:
@@ -97,7 +97,7 @@ constexpr const char* relationships =
 </Relationships>
 )";
 
-// #RRGGBB
+// Returns #RRGGBB.
 std::string hexadecimal(const Srgb& colour) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string text = "#";
@@ -108,7 +108,7 @@ std::string hexadecimal(const Srgb& colour) {
   return text;
 }
 
-// The names and colours of all meshes that have a colour.
+// Writes the names and colours of all meshes that have a colour.
 void write_materials(const Meshes& meshes, const std::string& id, Writer& writer) {
   writer.text("<basematerials id=\"" + id + "\">\n");
   for (const FileMesh* mesh : meshes)
@@ -140,7 +140,7 @@ void write_object(const FileMesh& mesh, const std::string& attributes, Writer& w
   writer.text("</triangles>\n</mesh>\n</object>\n");
 }
 
-// Objects are numbered from 1 on; the materials come after them.
+// Objects are numbered from 1; the materials have the next number.
 void write_model(const Meshes& meshes, std::ostream& out) {
   Writer writer(out);
   writer.text(
@@ -175,10 +175,10 @@ void write_model(const Meshes& meshes, std::ostream& out) {
 }  // namespace
 
 void write_3mf(const Meshes& meshes, std::ostream& out) {
-  constexpr std::uint64_t vertex_line = 100, triangle_line = 70, the_rest = 1000;  // at most
-  constexpr std::uint64_t letter = 12;  // of a name, in both places, escaped
+  constexpr std::uint64_t vertex_line = 100, triangle_line = 70, the_rest = 1000;  // upper bounds
+  constexpr std::uint64_t letter = 12;  // per character of a name, escaped, in both places
   std::uint64_t bytes = the_rest;
-  const Meshes seen = with_faces(meshes);  // the format allows no object without triangles
+  const Meshes seen = with_faces(meshes);  // 3MF allows no object without triangles
   for (const FileMesh* mesh : seen) {
     require_triangles(*mesh, "3MF");
     bytes += vertex_line * mesh->vertices_mm.size() + triangle_line * mesh->face_count() +

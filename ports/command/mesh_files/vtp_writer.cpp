@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-// write: gives a Writer this many bytes.
+// write: sends this many bytes to a Writer.
 template <class Write>
 void write_array(const std::string& attributes, std::uint64_t bytes, std::ostream& out,
                  const Write& write) {
@@ -36,7 +36,7 @@ void write_points(const std::string& name, int bits, const std::vector<Point>& p
               });
 }
 
-// Every point has the same value, as VTK draws it without a table of colours.
+// Every point has the same colour, because VTK draws such values without a colour table.
 void write_colour(const Srgb& colour, std::size_t points, std::ostream& out) {
   write_array("type=\"UInt8\" NumberOfComponents=\"3\" Name=\"Colors\"", 3 * points, out,
               [&](Writer& writer) {
@@ -54,7 +54,7 @@ void write_point_data(const FileMesh& mesh, std::ostream& out) {
   out << "</PointData>\n";
 }
 
-// The space as 3D Slicer reads it: a string, as its characters and a zero.
+// Returns the space in the form that 3D Slicer reads: a string as its characters and a zero.
 const char* field_data(Space space) {
   switch (space) {
     case Space::scanner:
@@ -71,7 +71,7 @@ const char* field_data(Space space) {
 
 }  // namespace
 
-// The types of the arrays are those that VTK itself writes: some readers support no others.
+// The arrays have the types that VTK itself writes, because some readers support no others.
 void write_vtp(const FileMesh& mesh, std::ostream& out) {
   out << "<?xml version=\"1.0\"?>\n<!-- " << header_text(mesh)
       << " -->\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "

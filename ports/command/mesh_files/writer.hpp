@@ -1,5 +1,5 @@
-// What the writers of mesh files share: numbers as text and as bytes, and the description
-// that a file contains. Internal to the writers.
+// Shared by the writers of mesh files: numbers as text and as bytes, and the description in each
+// file. Internal to the writers.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +22,11 @@
 
 namespace discmc::command {
 
-/// The description in every file, in a comment or where its format has a place for text. The space
-/// is as 3D Slicer reads and writes it.
+/// Returns the description of a mesh, for a comment or a text field of the file. The space has the
+/// form that 3D Slicer reads and writes.
 std::string header_text(const FileMesh& mesh);
 
-/// Throws std::invalid_argument where a face is no triangle. format: its name.
+/// Throws std::invalid_argument if a face is not a triangle. format: its name.
 void require_triangles(const FileMesh& mesh, const std::string& format);
 
 /// Returns the meshes that have faces.
@@ -39,7 +39,8 @@ std::string decimal(Number value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-/// Puts a real number at a place, little endian. Returns the place behind it. Bits: as wide.
+/// Writes a real number as little-endian bytes, and returns the end of these bytes. Bits: an
+/// integer of the real's width.
 template <typename Bits, typename Real>
 char* put_real(Real value, char* place) {
   static_assert(std::numeric_limits<Real>::is_iec559 && sizeof(Bits) == sizeof(Real));
@@ -50,14 +51,14 @@ char* put_real(Real value, char* place) {
   return place + sizeof bits;
 }
 
-/// The same of three 32-bit floats.
+/// Likewise writes three 32-bit floats.
 inline char* put_floats(const Point& point, char* place) {
   for (const double coordinate : point)
     place = put_real<std::uint32_t>(static_cast<float>(coordinate), place);
   return place;
 }
 
-/// Collects small writes, and makes a failing stream a std::runtime_error.
+/// Collects small writes. Throws std::runtime_error if the stream fails.
 class Writer {
  public:
   explicit Writer(std::ostream& out) : out_(&out) { buffer_.resize(full); }
@@ -69,7 +70,7 @@ class Writer {
     text(command::decimal(value));
   }
 
-  /// The place of the next bytes, for the caller to fill. Limit: 64 KiB.
+  /// Returns the place of the next bytes, for the caller to fill. Limit: 64 KiB.
   char* room_for(std::size_t count) {
     if (used_ + count > buffer_.size()) make_room(count);
     char* const place = buffer_.begin() + used_;
@@ -77,22 +78,22 @@ class Writer {
     return place;
   }
 
-  /// The lowest bytes of a value, little endian.
+  /// Writes the lowest bytes of a value, little endian.
   void bytes(std::uint64_t value, std::size_t count) {
     char* const place = room_for(count);
     for (std::size_t i = 0; i < count; ++i) place[i] = static_cast<char>(value >> (8 * i) & 0xFF);
   }
 
-  /// Three 32-bit floats, little endian.
+  /// Writes three 32-bit floats, little endian.
   void floats(const Point& point) { put_floats(point, room_for(3 * sizeof(float))); }
-  /// The same of 64 bits.
+  /// Writes three 64-bit floats, little endian.
   void doubles(const Point& point) {
     char* place = room_for(3 * sizeof(double));
     for (const double coordinate : point) place = put_real<std::uint64_t>(coordinate, place);
   }
 
-  /// Calls write(writer, item) for items 0 to count - 1: for some of them side by side, each with a
-  /// writer of its own. They are written in order.
+  /// Calls write(writer, item) for items 0 to count - 1, in parallel and with several writers. The
+  /// items are written in order.
   template <typename Write>
   void items(unsigned jobs, std::size_t count, const Write& write) {
     struct Nothing {};
@@ -106,12 +107,12 @@ class Writer {
         [](Nothing&) {});
   }
 
-  /// Calls write(writer, number, room) for parts 0 to count - 1, likewise. Further parts use a room
-  /// again. Calls take(room) after a part is written.
+  /// Likewise calls write(writer, number, room) for parts 0 to count - 1, and take(room) after a
+  /// part is written. Later parts reuse a room.
   template <typename Room, typename Write, typename Take>
   void parts(unsigned jobs, std::size_t count, const Write& write, const Take& take) {
     struct Part {
-      Writer writer{};  // so that this class calls its constructor
+      Writer writer{};  // calls the private constructor
       Room room{};
     };
     run_in_order<Part>(
@@ -123,9 +124,9 @@ class Writer {
         });
   }
 
-  /// Call last; what is still collected is lost otherwise.
+  /// Writes what is still collected. Call it last.
   void finish();
-  /// The same; then writes over the first bytes of the stream. Limit: a stream that can seek.
+  /// Calls finish(), then overwrites the first bytes of the stream. Limit: a stream that can seek.
   void finish_with_start(std::string_view start);
 
  private:
@@ -143,7 +144,8 @@ class Writer {
   std::size_t used_ = 0;
 };
 
-/// Writes the faces of all blocks in order. make: make_faces or make_triangles. Calls
+/// Writes the faces of all blocks in order. make: make_faces or make_triangles. Calls write(mesh,
+/// face, writer) for each face.
 /// write(mesh, face, writer) for each.
 template <class Write>
 MeshTotals write_faces(const MeshParts& parts,

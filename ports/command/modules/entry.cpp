@@ -1,5 +1,5 @@
-// What the module DISCMC_MODULE exports by its own name: the reader DISCMC_READER. The names differ
-// because all modules are loaded as global, and sanitizers reject the same variable twice.
+// Exports the reader DISCMC_READER of the module DISCMC_MODULE under a name of its own. Names must
+// differ because all modules are loaded as global, and sanitizers reject two variables of one name.
 #include "mesh_files/mesh_reader.hpp"
 #include "volumes/formats/readers.hpp"
 

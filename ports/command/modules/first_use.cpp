@@ -1,5 +1,5 @@
-// In place of the readers in modules: each loads its module when it is first called. All of their
-// libraries need more time to start than the surface of a small volume.
+// Replaces the readers that are in modules: loads each module at its first call. Starting all their
+// libraries takes longer than extracting a small volume.
 #include <dlfcn.h>
 
 #include <string>
@@ -11,10 +11,11 @@
 namespace discmc::command {
 namespace {
 
-// file: what is to be read.
+// file: the file to read.
 template <class Reader>
 Reader* load(const std::string& module, const std::string& file) {
-  // The program's RUNPATH names the folder. Plugins of HDF5 may need its functions to be global.
+  // The RUNPATH of the program names the folder of modules. Plugins of HDF5 may need the module's
+  // functions to be global.
   void* const loaded = dlopen((module + ".so").c_str(), RTLD_NOW | RTLD_GLOBAL);
   void* const reader = loaded == nullptr ? nullptr : dlsym(loaded, module.c_str());
   if (reader == nullptr)

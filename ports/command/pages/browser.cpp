@@ -15,7 +15,7 @@ bool is_set(const char* variable) {
   return value != nullptr && *value != '\0';
 }
 
-// Nothing where there is no desktop.
+// Returns an empty string if there is no desktop.
 std::string opener() {
   if (is_set("BROWSER")) return std::getenv("BROWSER");
 #ifdef __APPLE__
@@ -36,7 +36,7 @@ bool open_in_browser(const std::string& page) {
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   for (const int each : {STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&actions, each, "/dev/null", O_WRONLY, 0);
-  // Signals that are blocked here are not in the browser.
+  // The browser must not inherit the signals that are blocked here.
   sigset_t none;
   sigemptyset(&none);
   posix_spawnattr_t attributes;

@@ -23,7 +23,7 @@ constexpr int bad_request = 400;
 constexpr int too_late = 408;
 constexpr int too_large = 431;
 
-// Takes the text before a separator off the front, and the separator.
+// Removes and returns the text before a separator, and removes the separator.
 std::string_view take(std::string_view& text, std::string_view separator) {
   const std::size_t end = text.find(separator);
   const std::string_view taken = text.substr(0, end);
@@ -87,7 +87,7 @@ HttpRequest HttpConnection::read_request() {
     const ssize_t got =
         recv(socket_, piece.data(), std::min(piece.size(), max_head_bytes - head.size()), 0);
     if (got <= 0) return refused(bad_request);
-    // The end may begin in what came before.
+    // The end of the head may begin in an earlier piece.
     const std::size_t from = head.size() - std::min(head.size(), head_end.size() - 1);
     head.append(piece.data(), static_cast<std::size_t>(got));
     end = head.find(head_end, from);

@@ -1,4 +1,4 @@
-// What a browser asks on a connection, and what it is sent.
+// A connection to a browser: its requests and the answers.
 #pragma once
 
 #include <cstddef>
@@ -7,22 +7,23 @@
 
 namespace discmc::command {
 
-/// The parts of a request (RFC 9112) that matter where files are only fetched, and whole.
+/// The parts of a request (RFC 9112) that a server of whole files needs.
 struct HttpRequest {
-  int status = 200;  ///< otherwise of the refusal, and nothing else is set
+  int status = 200;  ///< otherwise the error, and no other member is set
   std::string method;
   std::string path;  ///< as written, without a query
   std::string host;  ///< with its port, as written
   bool has_range = false;
 };
 
-/// Reads the lines before the first empty one.
+/// Parses the lines before the first empty line.
 HttpRequest parse_request(std::string_view head);
 
-/// A connected socket, which it closes.
+/// Owns a connected socket and closes it.
 class HttpConnection {
  public:
-  /// What a client can make the server keep: enough for the cookies of other servers here.
+  /// The most that a client can make the server store: enough for the cookies of other servers on
+  /// this computer.
   static constexpr std::size_t max_head_bytes = std::size_t{1} << 16;
 
   explicit HttpConnection(int socket);
@@ -30,9 +31,10 @@ class HttpConnection {
   HttpConnection& operator=(const HttpConnection&) = delete;
   ~HttpConnection();
 
-  /// Reads up to the empty line, and no body. Limit: max_head_bytes (431) in ten seconds (408).
+  /// Reads up to the empty line, without a body. Limit: max_head_bytes (else 431), ten seconds
+  /// (else 408).
   HttpRequest read_request();
-  /// Returns false when the client is gone, or has taken nothing for a minute.
+  /// Returns false if the client has disconnected, or has accepted nothing for a minute.
   bool send(std::string_view bytes);
   bool is_open() const;
 

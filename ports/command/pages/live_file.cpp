@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t piece_bytes = std::size_t{1} << 16;
 
-// Does not wait for a writer, as others do who open a named pipe.
+// Opens without waiting for a writer; a plain open() of a named pipe would wait.
 int opened(const std::string& path) {
   const int descriptor = path == "-" ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                                      : open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -41,8 +41,8 @@ LiveFile::~LiveFile() {
 }
 
 void LiveFile::read() {
-  constexpr int patience_ms = 100;  // until it is seen that the reader shall stop
-  sigset_t all;                     // signals are for others
+  constexpr int patience_ms = 100;  // longest delay of the destructor
+  sigset_t all;                     // other threads handle signals
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
   std::array<char, piece_bytes> piece;

@@ -1,4 +1,4 @@
-// A file that grows: what comes from a pipe, for all who want it from the beginning.
+// A growing file: the content of a pipe, for all readers from its beginning.
 #pragma once
 
 #include <atomic>
@@ -11,23 +11,23 @@
 
 namespace discmc::command {
 
-/// Reads a pipe from its construction on, in a thread of its own, and keeps all that came.
+/// Reads a pipe in a thread of its own, and keeps all bytes. The thread starts in the constructor.
 class LiveFile {
  public:
-  /// What comes beyond is not read. Units: bytes.
+  /// The thread reads no further bytes. Units: bytes.
   static constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
-  /// path: a pipe, or any file that can be read; standard input by the name "-". A named pipe need
-  /// not have a writer yet. Throws std::runtime_error when it cannot be opened.
+  /// path: a pipe, any readable file, or standard input ("-"). A named pipe needs no writer yet.
+  /// Throws std::runtime_error if the path cannot be opened.
   explicit LiveFile(const std::string& path);
   LiveFile(const LiveFile&) = delete;
   LiveFile& operator=(const LiveFile&) = delete;
-  /// Does not wait for the end of the pipe. Limit: no copy_to() is under way.
+  /// Does not wait for the end of the pipe. Limit: no copy_to() is running.
   ~LiveFile();
 
-  /// Writes all from the first byte on, as it comes, and returns at the end of the pipe. While
-  /// nothing comes `out` is flushed now and then, so that it can throw if it is no longer
-  /// read. For several threads at a time.
+  /// Writes all bytes from the first on, as they arrive, and returns at the end of the pipe. While
+  /// none arrive, flushes `out` regularly, so that it can throw if its reader is gone. Several
+  /// threads may call it.
   void copy_to(std::ostream& out);
 
  private:
@@ -38,7 +38,7 @@ class LiveFile {
   std::string path_;
   int descriptor_;
   std::atomic<bool> is_stopping_{false};
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // protects the members below
   std::condition_variable has_more_;
   std::string bytes_;
   bool is_at_end_ = false;

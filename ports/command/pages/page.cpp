@@ -17,8 +17,7 @@
 namespace discmc::command {
 namespace {
 
-// Takes bytes as the buffer of a stream, and writes them compressed as gzip (RFC 1952) to another
-// one.
+// A stream buffer that compresses its bytes as gzip (RFC 1952) and writes them to another buffer.
 class Gzip : public std::streambuf {
  public:
   // out: outlives this.
@@ -32,7 +31,7 @@ class Gzip : public std::streambuf {
   Gzip& operator=(const Gzip&) = delete;
   ~Gzip() override { deflateEnd(&stream_); }
 
-  // Call last: writes what is left. Throws std::runtime_error when out did not take everything.
+  // Writes the rest. Call it last. Throws std::runtime_error if `out` did not accept everything.
   void finish() {
     if (!deflate(Z_FINISH)) throw std::runtime_error(write_failure());
   }
@@ -69,10 +68,10 @@ class Gzip : public std::streambuf {
   bool has_failed_ = false;
 };
 
-// The data is inserted before this script, which reads it.
+// The data goes before this script, which reads it.
 constexpr std::string_view scripts = "<script type=\"application/base64\" id=\"module\">";
 
-// The page in two parts: before and after the text that was searched.
+// The parts of the page before and after the found text.
 struct Parts {
   std::string_view head, scripts;
 };

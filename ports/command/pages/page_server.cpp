@@ -36,8 +36,8 @@ enum Status {
   range_refused = 416
 };
 
-// A site whose name leads here sends that name (DNS rebinding). No part of a file is sent, so that
-// no decoder starts in its middle.
+// Refuses requests that name another site (DNS rebinding). Refuses requests for a part of a file,
+// because no decoder can start in its middle.
 int status_of(const HttpRequest& request) {
   if (request.status != ok) return request.status;
   const std::string name = request.host.substr(0, request.host.rfind(':'));
@@ -47,8 +47,8 @@ int status_of(const HttpRequest& request) {
   return request.path == "/" || request.path == "/data" ? ok : not_found;
 }
 
-// The lines before a body. If the number of bytes is not known beforehand, each piece begins with
-// its own.
+// Returns the lines before a body. If the size is unknown, each piece of the body begins with its
+// own size.
 std::string head_of(int status, const char* type, std::optional<std::uint64_t> bytes) {
   return "HTTP/1.1 " + std::to_string(status) + (status == ok ? " OK" : " Refused") +
          "\r\nContent-Type: " + type +
@@ -67,7 +67,7 @@ std::string size_of_chunk(std::size_t bytes) {
   return text.str();
 }
 
-// What is written to it is sent; it fails when the client is gone, and when the server stops.
+// Sends its bytes to a client. Fails when the client disconnects or the server stops.
 class Sending : public std::streambuf {
  public:
   Sending(HttpConnection& connection, bool is_chunked, const std::atomic<bool>& is_stopping)
@@ -76,7 +76,7 @@ class Sending : public std::streambuf {
  protected:
   std::streamsize xsputn(const char* bytes, std::streamsize count) override {
     const std::string_view piece(bytes, static_cast<std::size_t>(count));
-    if (piece.empty()) return 0;  // a chunk of no bytes would be the last
+    if (piece.empty()) return 0;  // an empty chunk would end the body
     const bool is_sent = !is_stopping_ &&
                          (!is_chunked_ || connection_.send(size_of_chunk(piece.size()))) &&
                          connection_.send(piece) && (!is_chunked_ || connection_.send("\r\n"));
@@ -100,9 +100,9 @@ class Server {
   Server& operator=(const Server&) = delete;
   ~Server() { close(listener_); }
 
-  // Returns the port, or nothing where it is taken.
+  // Returns the port, or nothing if it is in use.
   std::optional<std::uint16_t> bind(std::uint16_t port) {
-    const int yes = 1;  // also where a server ended a moment ago
+    const int yes = 1;  // even if a server has just ended
     setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     sockaddr_in address{};
     socklen_t bytes = sizeof address;
@@ -116,7 +116,7 @@ class Server {
   }
 
   void serve_until_signal(const sigset_t& signals) {
-    constexpr std::size_t pages = 64;  // each of them may wait for more of its file
+    constexpr std::size_t pages = 64;  // each may wait for more of its file
     std::vector<std::thread> threads;
     while (threads.size() < pages) threads.emplace_back([this] { answer_all(); });
     int signal = 0;
@@ -128,7 +128,7 @@ class Server {
   }
 
  private:
-  // A client that neither takes nor sends would hold up the end for as long as it likes.
+  // A client that neither reads nor writes could delay the end indefinitely.
   static void end_soon() {
     std::thread([] {
       constexpr std::chrono::seconds patience(1);
@@ -137,7 +137,7 @@ class Server {
     }).detach();
   }
 
-  // One connection after the other; further ones wait in the system.
+  // Answers one connection after another; the system queues further ones.
   void answer_all() {
     constexpr std::chrono::milliseconds until_others_close(100);
     while (!is_stopping_) {
@@ -171,7 +171,7 @@ class Server {
       write(out);
       if (!bytes) connection.send("0\r\n\r\n");
     } catch (const std::ios_base::failure&) {
-      // The page is gone.
+      // The client has closed the page.
     } catch (const std::exception& error) {
       std::cerr << "discmc: " << error.what() << '\n';
     }
@@ -192,7 +192,7 @@ void serve_page(const ServedFile& file, std::uint16_t port,
   if (!bound)
     throw std::runtime_error("port " + std::to_string(port) +
                              " is in use; give another --port, or leave it out for any free port");
-  // Blocked before there are threads, which then have them blocked, too.
+  // Threads started later inherit the blocked signals.
   sigset_t signals;
   sigemptyset(&signals);
   for (const int signal : {SIGINT, SIGTERM}) sigaddset(&signals, signal);

@@ -16,7 +16,7 @@ namespace {
 constexpr int samples_per_side = 2;     // of a pixel
 constexpr double margin = 0.05;         // of the picture, on each side
 constexpr double field_of_view = 0.45;  // radians
-constexpr float outline_light = 0.30f;  // what an outline leaves of the light
+constexpr float outline_light = 0.30f;  // share of light that remains
 
 Point unit(const Point& a) {
   const Point result = unit_or_zero(a);
@@ -28,7 +28,7 @@ Point unit(const Point& a) {
 Axes axes_of(const PictureOptions& options) {
   const Point towards = unit(options.from);
   Point right = cross(unit(options.up), towards);
-  if (dot(right, right) < 1e-12)  // looking along `up`: any other choice will do
+  if (dot(right, right) < 1e-12)  // if `up` is the direction of view, any other axis works
     right = cross(std::abs(towards[1]) < 0.9 ? Point{0, 1, 0} : Point{1, 0, 0}, towards);
   right = unit(right);
   return {right, cross(towards, right), towards};
@@ -49,7 +49,7 @@ struct Box {
   }
 };
 
-// From space into the picture, in units of any size.
+// Projects space into the picture. Any unit of length works.
 class Camera {
  public:
   Camera(const Box& space, const Axes& axes, Projection projection)
@@ -118,7 +118,7 @@ struct Sample {
   bool is_inside = false;
 };
 
-// Fills plane polygons of any shape, one sample row after another, and keeps what is nearest.
+// Fills plane polygons of any shape, one sample row after another, and keeps the nearest.
 class Canvas {
  public:
   Canvas(int width, int height)
@@ -131,7 +131,7 @@ class Canvas {
   const Sample& at(int x, int y) const { return samples_[place(x, y)]; }
 
   void fill(const std::vector<Projected>& outline, std::uint32_t face) {
-    // Newell's normal of the picture's polygon: exact enough also when corners are collinear.
+    // Newell's method gives the normal of the projected polygon, even if corners are collinear.
     double nx = 0, ny = 0, nz = 0;
     const Projected& o = outline[0];
     for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
@@ -164,18 +164,19 @@ class Canvas {
            static_cast<std::size_t>(x);
   }
 
-  // The first sample whose centre is not before `edge`; the first one if that is not a number.
+  // Returns the first sample whose centre is not before `edge`, or 0 if `edge` is NaN.
   static int first_sample(double edge, int count) {
     const double place = std::ceil(edge - 0.5);
     return place > 0 ? static_cast<int>(std::min(place, static_cast<double>(count))) : 0;
   }
 
-  // The crossings of the outline with the middle of sample rows, sorted: pairs bound the inside.
+  // Finds the sorted crossings of the outline with the middle of each sample row. Pairs of
+  // crossings bound the inside.
   void find_crossings(const std::vector<Projected>& outline) {
     crossings_.clear();
     for (std::size_t i = 0; i < outline.size(); ++i) {
       Projected a = outline[i], b = outline[i + 1 < outline.size() ? i + 1 : 0];
-      if (a.y > b.y) std::swap(a, b);  // both neighbours of an edge must find the same place
+      if (a.y > b.y) std::swap(a, b);  // so that both polygons of an edge compute the same crossing
       const int end = first_sample(b.y, height_);
       for (int y = first_sample(a.y, height_); y < end; ++y)
         crossings_.emplace_back(y, a.x + (y + 0.5 - a.y) * (b.x - a.x) / (b.y - a.y));
@@ -188,8 +189,7 @@ class Canvas {
   std::vector<std::pair<int, double>> crossings_;
 };
 
-// An outline runs where a sample and the next one belong to different polygons, so nothing that
-// is hidden can shine through.
+// Draws outlines between neighbouring samples of different polygons, so hidden lines never appear.
 class Outlines {
  public:
   Outlines(const Canvas& canvas, const FaceMesh& mesh) : canvas_(canvas), mesh_(mesh) {}

@@ -1,4 +1,4 @@
-// A picture of a mesh, without a window or a graphics card.
+// Draws a picture of a mesh without a window or a graphics card.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,28 @@ namespace discmc::command {
 enum class Projection { orthographic, perspective };
 
 enum class Shading {
-  flat,  ///< every face in one colour, by its normal
-  /// The normals of the vertices are interpolated over the faces. A vertex normal more than 72
-  /// degrees from the face's marks an edge: there the face's own normal counts. Limit: the mesh has
-  /// triangles only, and normals.
+  flat,  ///< one colour per face, by its normal
+  /// Vertex normals are interpolated over the faces. A vertex normal more than 72 degrees from the
+  /// face's marks an edge, where the face's own normal replaces it. Limit: a mesh of triangles with
+  /// normals.
   smooth,
 };
 
 struct PictureOptions {
   int width = 1024;                ///< Units: pixels. Limit: 1 to 8192
   int height = 1024;               ///< as width
-  Point from = {-0.9, -1.6, 0.8};  ///< from the mesh to the viewer; any length but zero
-  Point up = {0, 0, 1};            ///< points upwards in the picture
+  Point from = {-0.9, -1.6, 0.8};  ///< direction from the mesh to the viewer; not zero
+  Point up = {0, 0, 1};            ///< direction that points upwards in the picture
   Projection projection = Projection::perspective;
-  double zoom = 1;          ///< 1 fills the picture; more is nearer. Limit: 1e-3 to 1e3
-  std::optional<Point> at;  ///< in the middle of the picture; without it all of the mesh is
+  double zoom = 1;          ///< 1 fills the picture; larger values enlarge. Limit: 1e-3 to 1e3
+  std::optional<Point> at;  ///< middle of the picture; default: middle of the mesh
   Shading shading = Shading::flat;
   bool draws_outlines = false;       ///< thin dark lines around the merged polygons
   Srgb colour = {224, 186, 146};     ///< of the surface
-  std::vector<Srgb> face_colours{};  ///< one per face in place of it, or none
+  std::vector<Srgb> face_colours{};  ///< one per face, replacing `colour`; or empty
 };
 
-/// Rows from top to bottom, three bytes (red, green, blue; sRGB) a pixel.
+/// Rows from top to bottom, three bytes (red, green, blue; sRGB) per pixel.
 struct Picture {
   int width = 0;
   int height = 0;
@@ -44,9 +44,9 @@ struct Picture {
   bool shows_mesh = false;  ///< whether any part of the mesh lies in the picture
 };
 
-/// Draws the mesh so that it fills the picture but for a small margin. n-gons need not be convex.
-/// The inside of an open mesh is drawn in a bluish tone.
-/// Throws std::invalid_argument when the options are out of range or the mesh lacks what they ask.
+/// Draws the mesh so that it fills the picture except for a small margin. Polygons need not be
+/// convex. The inside of an open mesh is bluish. Throws std::invalid_argument if the options are
+/// out of range or the mesh lacks what they need.
 Picture draw(const FaceMesh& mesh, const PictureOptions& options = {});
 
 /// Writes a PNG file.

@@ -6,15 +6,16 @@
 namespace discmc::command {
 namespace {
 
-// Between the normal of a face and that of a vertex. Facets lean up to 55 degrees away from the
-// surface that they approximate, and walls at which a volume ends are 90 degrees away.
+// Minimum cosine of the angle between the normals of a face and of its vertex. Facets lean up to 55
+// degrees away from the surface that they approximate; the walls at the ends of a volume, 90
+// degrees.
 constexpr double min_cosine = 0.3;
 
 float light_of(std::uint8_t srgb) {
   return decoded_light(static_cast<float>(srgb) / 255);
 }
 
-// Twice the area of a triangle, positive when it is clockwise, as y points downwards.
+// Returns twice the area of a triangle, positive if clockwise, because y points downwards.
 double doubled_area(double ax, double ay, const Projected& b, const Projected& c) {
   return (b.x - ax) * (c.y - ay) - (b.y - ay) * (c.x - ax);
 }
@@ -70,7 +71,7 @@ Colour Shader::light(const Point& normal, bool is_inside) const {
   const auto light = static_cast<float>(0.28 * std::max(0.0, seen[2]) +
                                         0.74 * std::max(0.0, dot(seen, key_light_)));
   const Colour tone = is_inside ? Colour{0.3f, 0.6f, 1.2f} : Colour{1, 1, 1};
-  const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool fill distinguishes shade from a dark colour
+  const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool light distinguishes shade from dark colours
   Colour colour{};
   for (std::size_t i = 0; i < 3; ++i) colour[i] = surface_[i] * tone[i] * (fill * sky[i] + light);
   return colour;

@@ -1,4 +1,4 @@
-// What colour the faces of a mesh have in a picture.
+// The colours of a mesh's faces in a picture.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@ namespace discmc::command {
 
 using Colour = std::array<float, 3>;  // linear light
 
-/// Axes of the viewer: right, upwards, and out of the picture towards him.
+/// Axes of the viewer: right, upwards, and out of the picture.
 struct Axes {
   Point right, upward, towards;
 };
 
-/// A vertex in the picture: x to the right and y downwards in samples, and a nearness. The nearness
-/// grows towards the viewer, and is linear over the picture of a plane. What is linear over a plane
-/// in space is, times the weight, linear over its picture.
+/// A vertex in the picture: x to the right and y downwards in samples, and a nearness, which grows
+/// towards the viewer. Nearness is linear over the picture of a plane. A value that is linear over
+/// a plane in space, multiplied by the weight, is linear over the plane's picture.
 struct Projected {
   double x, y, nearness, weight;
 };
@@ -32,8 +32,8 @@ class Shader {
   Shader(const FaceMesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
          const PictureOptions& options);
 
-  /// The colour of a face at a place of the picture. inside: its back is what is seen.
-  /// Cost: less when the face is that of the last call.
+  /// Returns the colour of a face at a place of the picture. is_inside: the viewer sees the back of
+  /// the face. Cost: less if the face is the same as in the last call.
   Colour colour(std::size_t face, bool is_inside, double x, double y);
 
  private:
@@ -46,12 +46,12 @@ class Shader {
   Axes axes_;
   Shading shading_;
   const std::vector<Srgb>& face_colours_;
-  Colour surface_;  // of the face that was taken
-  // Right, upward, towards: over the left shoulder.
+  Colour surface_;  // of the current face
+  // The main light comes over the viewer's left shoulder; the axes are right, upward, towards.
   Point key_light_ = unit_or_zero({-0.6, 0.7, 0.5});
   std::size_t face_;
   Point face_normal_{};
-  std::array<Point, 3> normals_{};  // of the corners, as the face has them
+  std::array<Point, 3> normals_{};  // of the corners of the current face
 };
 
 }  // namespace discmc::command

@@ -1,4 +1,4 @@
-// Colours as screens and files have them.
+// Colours of screens and files.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace discmc::command {
 /// Red, green and blue of the colour space sRGB.
 using Srgb = std::array<std::uint8_t, 3>;
 
-/// A share of the light that sRGB can hold, and the share of 255 that encodes it (IEC 61966-2-1).
+/// Convert between a share of linear light and the share of 255 that encodes it (IEC 61966-2-1).
 template <class Real>
 Real encoded_light(Real light) {
   return light <= Real(0.0031308) ? Real(12.92) * light
@@ -23,14 +23,14 @@ Real decoded_light(Real share) {
                                 : std::pow((share + Real(0.055)) / Real(1.055), Real(2.4));
 }
 
-/// A share of 255; the nearest one where there is none, as below 0.
+/// Converts a share to a byte, clamped to the range 0 to 255.
 inline std::uint8_t byte_of_share(double share) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }
 
-/// The seven colours that people with any colour vision can distinguish (M. Okabe, K. Ito, Color
-/// Universal Design, 2008), then the same lighter, then darker. The numbers 1 to 21 have one each;
-/// number n + 21 has that of n. Limit: finite.
+/// Returns the colour of a label. Numbers 1 to 7 have the colours that people with any colour
+/// vision can distinguish (M. Okabe, K. Ito, Color Universal Design, 2008); 8 to 14 are lighter, 15
+/// to 21 darker. Number n + 21 has the colour of n. Limit: finite.
 inline Srgb label_colour(double number) {
   constexpr Srgb colours[] = {{230, 159, 0}, {86, 180, 233}, {0, 158, 115},  {240, 228, 66},
                               {0, 114, 178}, {213, 94, 0},   {204, 121, 167}};

@@ -23,12 +23,12 @@ template <class Sample>
 constexpr Bits<sizeof(Sample)> sign_bit =
     static_cast<Bits<sizeof(Sample)>>(Bits<sizeof(Sample)>{1} << (8 * sizeof(Sample) - 1));
 
-// Keys are in the order of the samples: of IEEE 754, magnitudes are in the order of their bits.
+// Keys have the order of the samples. Magnitudes of IEEE 754 numbers have the order of their bits.
 template <class Sample>
 std::uint64_t key_of(Sample sample) {
   using Key = Bits<sizeof(Sample)>;
   if constexpr (std::is_floating_point_v<Sample>) {
-    if (sample == Sample{0}) sample = Sample{0};  // there are two of them
+    if (sample == Sample{0}) sample = Sample{0};  // makes -0 equal to 0
     Key bits = 0;
     std::memcpy(&bits, &sample, sizeof bits);
     return (bits & sign_bit<Sample>) != 0 ? static_cast<Key>(~bits) : bits | sign_bit<Sample>;
@@ -64,7 +64,7 @@ void Histogram::add(const void* samples, std::size_t count) {
 
 template <class Sample>
 void Histogram::add_all(const Sample* samples, std::size_t count) {
-  double sum = 0;  // of few, so that rounding stays small
+  double sum = 0;  // of one call, to keep rounding small
   for (std::size_t i = 0; i < count; ++i) {
     const Sample sample = samples[i];
     if constexpr (std::is_floating_point_v<Sample>) {

@@ -11,27 +11,27 @@
 
 namespace discmc::command {
 
-/// Units: those that the file declares.
+/// Units: the unit that the file declares.
 struct ValueRange {
   double least;
   double greatest;
 };
 
-/// The volume as it is. It takes less than a nanosecond a sample, where a second pass would take
-/// the whole file, and a pipe has none.
+/// Measures the values of a volume and passes them on unchanged. This costs less than a nanosecond
+/// per sample. A second pass would read the whole file again, and a pipe allows none.
 class MeasuredVolume final : public VolumeFilter {
  public:
   explicit MeasuredVolume(std::unique_ptr<VolumeReader> volume) : VolumeFilter(std::move(volume)) {}
 
   void read_slice(void* samples) override;
 
-  /// The range of the finite values that were read so far, if there are any.
+  /// Returns the range of the finite values read so far, if there are any.
   std::optional<ValueRange> range() const;
 
-  /// Whether there are two finite values and no other, as in a mask.
+  /// Whether there are exactly two finite values, as in a mask.
   bool has_two_values() const { return bounds_.least < bounds_.greatest && !bounds_.has_between; }
 
-  /// The same with the infinite values; least > greatest where none is a number.
+  /// Likewise includes infinite values; least > greatest if all values are NaN.
   ValueRange range_with_infinities() const;
 
  private:

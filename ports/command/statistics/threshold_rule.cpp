@@ -25,7 +25,7 @@ RuledThreshold otsu(const VolumeStatistics& statistics) {
 
 bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics) {
   constexpr double air_at_most = -500;
-  constexpr double beyond = 65536;  // no scanner writes such values, nor their opposites
+  constexpr double beyond = 65536;  // no scanner writes a larger magnitude
   return info.is_in_hounsfield ||
          (statistics.least <= air_at_most && statistics.greatest >= bone_threshold &&
           statistics.least > -beyond && statistics.greatest < beyond);

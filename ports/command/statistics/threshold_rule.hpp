@@ -9,11 +9,11 @@
 
 namespace discmc::command {
 
-/// Otsu's threshold, or that of a tissue in CT. Automatic is bone where values are in Hounsfield
-/// units and some reach it, Otsu elsewhere.
+/// Otsu's threshold, or the threshold of a tissue in CT. Automatic is bone if values are in
+/// Hounsfield units and some reach it, otherwise Otsu.
 enum class ThresholdRule { automatic, otsu, bone, skin };
 
-/// All of them, by the names that the command line has for them.
+/// All rules with their names on the command line.
 constexpr std::pair<std::string_view, ThresholdRule> threshold_rules[] = {
     {"auto", ThresholdRule::automatic},
     {"otsu", ThresholdRule::otsu},
@@ -24,24 +24,24 @@ constexpr std::string_view name(ThresholdRule rule) {
   return threshold_rules[static_cast<std::size_t>(rule)].first;
 }
 
-/// Units: Hounsfield. Water is 0, air -1000: soft tissue is left below bone, air below skin.
+/// Units: Hounsfield. Water is 0 and air -1000, so soft tissue is below bone, and air below skin.
 constexpr double bone_threshold = 300;
 constexpr double skin_threshold = -300;
 
-/// Whether values are Hounsfield units: the file states it, or they reach from air to bone. Other
-/// scanners measure nothing as far below zero.
+/// Whether values are Hounsfield units: the file states this, or the values reach from air to bone.
+/// Other scanners measure nothing as far below zero.
 bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics);
 
 /// Whether some values reach the threshold and others do not.
 bool divides(double threshold, const VolumeStatistics& statistics);
 
-/// A threshold, and the rule that was followed: never automatic.
+/// A threshold and the rule that found it, which is never automatic.
 struct RuledThreshold {
   double iso;
   ThresholdRule rule;
 };
 
-/// Throws std::invalid_argument, with the range of the values, where the rule does not fit them.
+/// Throws std::invalid_argument, with the range of the values, if the rule does not fit them.
 RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,
                             const VolumeStatistics& statistics);
 

@@ -16,7 +16,8 @@ double rounded(double value, int digits) {
   return std::strtod(text, nullptr);
 }
 
-// A number with as few digits as possible, above `low` and up to `high`, in their middle if it can.
+// Returns the number with the fewest digits above `low` and up to `high`, near their middle if
+// possible.
 double short_number_between(double low, double high) {
   const double middle = low / 2 + high / 2;
   for (int digits = 1; digits <= 17; ++digits)
@@ -71,7 +72,7 @@ std::optional<double> padding_value(const VolumeStatistics& statistics) {
     return each.value == statistics.declared_padding;
   });
   if (padding != counts.end()) return padding->value;
-  // Units: Hounsfield, of what may be air and is not; none beyond is a number that CT writes.
+  // Units: Hounsfield. Values that may be air or padding, and the least that CT writes.
   constexpr double max_air = -500, min_air = -1024, min_value = -4096, max_padding = -1000;
   constexpr double min_bone = 300, gap = 200, share = 0.05;
   if (counts.size() < 3 || counts[0].value > max_padding || counts[0].value < min_value ||
@@ -98,7 +99,7 @@ std::optional<double> otsu_threshold(const VolumeStatistics& statistics) {
     whole -= static_cast<double>(found->count);
     counts.erase(found);
   }
-  // Shares of the largest magnitude, so that no square overflows.
+  // Scales by the largest magnitude, so that no square overflows.
   const double unit = std::max(std::fabs(statistics.least), std::fabs(statistics.greatest));
   double whole_sum = 0;
   for (const ValueCount& each : counts)

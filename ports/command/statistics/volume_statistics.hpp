@@ -1,4 +1,4 @@
-// The values of a volume: what is there, and how often.
+// Statistics of a volume's values.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace discmc::command {
 
-/// Values that are alike, or all but alike, as Histogram counts them.
+/// Equal or nearly equal values, as Histogram counts them.
 struct ValueCount {
   double value;
   std::uint64_t count;
-  LabelValue whole{};  ///< the value, exactly, where VolumeStatistics::are_whole
+  LabelValue whole{};  ///< the value, exactly, if VolumeStatistics::are_whole
 };
 
-/// Units: those that the file declares. Infinite values count as infinite, and nowhere else.
+/// Units: the unit that the file declares. Infinite values are only counted in `infinite`.
 struct VolumeStatistics {
   std::uint64_t numbers = 0;  ///< finite ones
   std::uint64_t not_numbers = 0;
@@ -27,12 +27,12 @@ struct VolumeStatistics {
   double least = 0;
   double greatest = 0;
   double mean = 0;
-  bool are_whole = false;               ///< the values, as they are stored: up to 64 bits
-  LabelValue min_whole{}, max_whole{};  ///< then `least` and `greatest`, exactly
+  bool are_whole = false;               ///< whether stored values are whole numbers
+  LabelValue min_whole{}, max_whole{};  ///< `least` and `greatest`, exactly, if are_whole
   std::vector<ValueCount> counts;       ///< in the order of values
-  /// The value that the file has where nothing was scanned, if it states one.
+  /// The value that the file declares for places that were not scanned.
   std::optional<double> declared_padding;
-  /// Whether each of `counts` is of one value. Then percentiles and Otsu's threshold are exact,
+  /// Whether each of `counts` is of one value. Percentiles and Otsu's threshold are then exact,
   /// too.
   bool is_exact = true;
 };
@@ -41,18 +41,18 @@ struct VolumeStatistics {
 VolumeStatistics volume_statistics(VolumeReader& volume,
                                    const std::function<void(std::uint32_t)>& progress);
 
-/// The least value that at least `percent` percent of the numbers do not exceed.
-/// Limit: there are numbers; 0 < percent <= 100.
+/// Returns the least value that at least `percent` percent of the numbers do not exceed. Limit:
+/// there are numbers; 0 < percent <= 100.
 double percentile(const VolumeStatistics& statistics, double percent);
 
-/// The value where nothing was scanned, outside the circle that CT reconstructs. It is the value
-/// that the file declares, if it occurs. Otherwise it is the least value, from -1000 down, if all
-/// others are far above, or if most values that may be air have it.
+/// Returns the value of places that were not scanned, outside the circle that CT reconstructs. This
+/// is the declared value, if it occurs. Otherwise it is the least value, at most -1000, in two
+/// cases: all others are far above it, or it is more frequent than any other value of air.
 std::optional<double> padding_value(const VolumeStatistics& statistics);
 
-/// Otsu's threshold, without padding_value(): divides the values into the two groups whose means
-/// differ most, weighed by their sizes. A threshold between the two groups with few digits is
-/// returned; nothing if there are no two values.
+/// Returns Otsu's threshold, computed without padding_value(). It divides the values into the two
+/// groups whose means, weighed by their sizes, differ most. The returned threshold lies between the
+/// groups and has few digits. Returns nothing if there are fewer than two values.
 std::optional<double> otsu_threshold(const VolumeStatistics& statistics);
 
 }  // namespace discmc::command

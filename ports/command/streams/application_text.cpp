@@ -7,7 +7,7 @@
 namespace discmc::command {
 namespace {
 
-// 1500000 as 1.5: nanometres as millimetres, all of them.
+// Converts nanometres to millimetres without rounding: 1500000 is 1.5.
 std::string millimetres(std::int64_t nanometres) {
   const bool is_negative = nanometres < 0;
   const auto bits = static_cast<std::uint64_t>(nanometres);

@@ -1,4 +1,4 @@
-// The content of application records, in words.
+// The content of application records as text.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace discmc::command {
 
-/// A record in one line: its kind, its place in the stream, and its bytes or its placement.
+/// Describes a record in one line: its kind, its position in the stream, and its bytes or
+/// placement.
 std::string text(const ApplicationRecord& record);
 
 }  // namespace discmc::command

@@ -1,4 +1,4 @@
-// Which slices of a volume are there, when its slabs come from several streams.
+// The slices of a volume that are present, if its slabs come from several streams.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,20 @@ namespace discmc::command {
 
 class SlabRanges {
  public:
-  /// Returns slices that were there before, and then has not changed. Limit: all of one depth.
+  /// Adds a range. Returns slices of it that were already present, and then adds nothing. Limit:
+  /// all ranges have one depth.
   std::optional<SlabRange> add(const SlabRange& range);
 
-  /// In order, those that touch each other as one.
+  /// Returns the ranges in order; adjacent ranges are merged.
   std::vector<SlabRange> ranges() const;
-  /// What lies between them, below and above.
+  /// Returns the gaps below, between and above the ranges.
   std::vector<SlabRange> missing() const;
 
  private:
-  std::map<std::uint32_t, SlabRange> ranges_;  // by their ends
+  std::map<std::uint32_t, SlabRange> ranges_;  // keyed by their ends
 };
 
-/// "slices 10 to 19 and 30 to 30", for people.
+/// Returns text for people, such as "slices 10 to 19 and 30 to 30".
 std::string text(const std::vector<SlabRange>& ranges);
 
 }  // namespace discmc::command

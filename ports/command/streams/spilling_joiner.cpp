@@ -39,7 +39,7 @@ SinkResult PlaneSpill::accept(const Event& event) {
       finish_.statistics = &totals_;
       has_finish_ = true;
       break;
-    case Event::Kind::layer:  // true in the order of a sweep alone
+    case Event::Kind::layer:  // valid only in the order of a sweep
       break;
     default:
       return sink_.accept(sink_.context, event);
@@ -63,7 +63,7 @@ void PlaneSpill::begin_ring(const Event& event) {
 }
 
 void PlaneSpill::append(const Event& event) {
-  if (group_ == nullptr) return;  // a region without a ring
+  if (group_ == nullptr) return;  // the region has no ring
   append_words(event, group_->words);
   constexpr std::size_t block_words = 16384;
   if (group_->words.size() >= block_words) write(*group_);
@@ -83,7 +83,7 @@ void PlaneSpill::join() {
 }
 
 void PlaneSpill::join(Group& group) {
-  const std::uint64_t run_bytes = 24;  // of the default split of a Joiner's memory
+  const std::uint64_t run_bytes = 24;  // by the default split of a Joiner's memory
   const std::uint64_t bytes = run_bytes * std::max(8 * group.fragments, group.runs);
   const Sink joined{this, [](void* context, const Event& event) {
                       return static_cast<PlaneSpill*>(context)->pass(event);
@@ -92,7 +92,7 @@ void PlaneSpill::join(Group& group) {
   replay(group, joiner);
   if (has_finish_) joiner.accept(finish_);
   joiner.finish();
-  if (has_finish_) totals_ = joiner.totals();  // for the next group, which adds its own
+  if (has_finish_) totals_ = joiner.totals();  // for the next group, which adds its totals
   group = {};
 }
 
@@ -107,7 +107,7 @@ void PlaneSpill::replay(const Group& group, GrowingJoiner& joiner) {
   for (EventWords reader(group.words); reader.next(event);) joiner.accept(event);
 }
 
-// Passes the events of a group to the sink. The end of a group is not the end of all.
+// Passes the events of a group to the sink, except `finish`: other groups follow.
 SinkResult PlaneSpill::pass(const Event& event) {
   const bool is_end = event.kind == Event::Kind::finish;
   return is_end ? SinkResult::accepted : sink_.accept(sink_.context, event);

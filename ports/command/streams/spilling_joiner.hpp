@@ -1,4 +1,4 @@
-// A joiner for more pieces than there is memory.
+// A joiner for more pieces than fit in memory.
 #pragma once
 
 #include <algorithm>
@@ -15,33 +15,33 @@
 
 namespace discmc::command {
 
-/// Takes the events of a Joiner that is short of memory. Chains never leave their plane, so the
-/// pieces are divided by planes into groups, and these are joined one after another.
-/// Memory: while events come, some megabytes; in the end what the pieces of one group take, of
-/// which there are 256. Disk: 4 bytes per run, 8 with a normal, 16 per fragment or ring.
+/// Accepts the events of a Joiner that is short of memory. A chain never leaves its plane, so
+/// pieces are divided into 256 groups by plane, and the groups are joined one after another.
+/// Memory: some megabytes while events arrive; later the pieces of one group. Disk: 4 bytes per
+/// run, 8 with a normal, 16 per fragment or ring.
 class PlaneSpill {
  public:
-  /// sink: gets what belongs to no region at once, the rest from join(); it must take everything at
-  /// once. Owner: the caller.
+  /// sink: receives events outside regions at once, and the rest from join(). The sink must accept
+  /// everything. Owner: the caller.
   explicit PlaneSpill(const Sink& sink) : sink_(sink) {}
   PlaneSpill(const PlaneSpill&) = delete;
   PlaneSpill& operator=(const PlaneSpill&) = delete;
 
-  /// Always takes the event. Throws std::runtime_error where the disk is full.
+  /// Always accepts the event. Throws std::runtime_error if the disk is full.
   SinkResult accept(const Event& event);
 
-  /// After the last event: gives the sink all regions, what is still loose, and `finish`.
+  /// Sends all regions, loose pieces and `finish` to the sink. Call it after the last event.
   void join();
 
  private:
   struct Block {
-    std::uint64_t begin;  // in the file
+    std::uint64_t begin;  // offset in the file
     std::size_t words;
   };
   struct Group {
     std::vector<Block> blocks;
-    std::vector<std::uint32_t> words;       // not in the file yet
-    std::uint64_t fragments = 0, runs = 0;  // of these
+    std::vector<std::uint32_t> words;       // not written to the file yet
+    std::uint64_t fragments = 0, runs = 0;  // number in the group
   };
 
   Group& group_of(Incidence incidence, const Vertex& vertex);
@@ -53,21 +53,20 @@ class PlaneSpill {
   SinkResult pass(const Event& event);
 
   Sink sink_;
-  std::optional<TemporaryFile> file_;  // from the first block on
+  std::optional<TemporaryFile> file_;  // created for the first block
   std::array<Group, 256> groups_;
-  Group* group_ = nullptr;       // of the region or fragment under way
-  bool is_fragment_ = false;     // what is under way
-  std::optional<Event> region_;  // until its plane is known
+  Group* group_ = nullptr;       // of the current region or fragment
+  bool is_fragment_ = false;     // whether it is a fragment
+  std::optional<Event> region_;  // waits for its first ring
   Event finish_{};
   Statistics totals_{};
   bool has_finish_ = false;
 };
 
-/// A GrowingJoiner for streams in any order that continues in a temporary file beyond this much
-/// memory.
+/// A GrowingJoiner for streams in any order. Beyond this much memory, it uses a temporary file.
 class SpillingJoiner {
  public:
-  /// sink: must take everything at once; Owner: the caller. bytes: the most for joiners.
+  /// sink: must accept everything; Owner: the caller. bytes: the limit for joiners.
   SpillingJoiner(const Sink& sink, std::uint64_t bytes) : spill_(sink) {
     const auto first = static_cast<std::size_t>(
         std::clamp<std::uint64_t>(bytes, Joiner::minimum_bytes(), GrowingJoiner::first_bytes));
@@ -76,10 +75,10 @@ class SpillingJoiner {
 
   SinkResult accept(const Event& event) { return joiner_->accept(event); }
 
-  /// Limit: after the last event.
+  /// Limit: call it after the last event.
   void finish() {
     joiner_->finish();
-    joiner_.reset();  // the memory is for the spill now
+    joiner_.reset();  // frees memory for the spill
     spill_.join();
   }
 

@@ -9,8 +9,8 @@
 
 namespace discmc::command {
 
-/// An output that counts what an encoder gives it and passes it on to a stream.
-/// Owner: `out` belongs to the caller and outlives the output.
+/// An output that passes an encoder's bytes to a stream and counts them. Owner: `out` belongs to
+/// the caller and outlives the output.
 class StreamOutput {
  public:
   explicit StreamOutput(std::ostream* out) : out_(out) {}

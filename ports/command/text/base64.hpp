@@ -7,12 +7,12 @@
 
 namespace discmc::command {
 
-/// Takes bytes as the buffer of a stream, and writes their characters to another one.
+/// A stream buffer that writes its bytes as base64 to another buffer.
 class Base64 : public std::streambuf {
  public:
   explicit Base64(std::ostream& out) : out_(out) {}
 
-  /// Call last: writes what is left, and the padding.
+  /// Writes the rest and the padding. Call it last.
   void finish();
 
  protected:
@@ -20,7 +20,7 @@ class Base64 : public std::streambuf {
 
  private:
   std::ostream& out_;
-  std::uint32_t bits_ = 0;  // of the bytes that wait for a third
+  std::uint32_t bits_ = 0;  // bytes of an incomplete group of three
   int waiting_ = 0;
 };
 

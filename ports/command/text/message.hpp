@@ -6,12 +6,12 @@
 
 namespace discmc::command {
 
-/// What an input is called, of which "-" is standard input.
+/// Returns the name of an input for messages; "-" is standard input.
 inline std::string name_for_people(const std::string& input) {
   return input == "-" ? "standard input" : input;
 }
 
-/// Prints a line about an input or an output. Faults are thrown, and printed by main().
+/// Prints a line about an input or an output. Errors are exceptions, which main() prints.
 inline void print_message(const std::string& input, const std::string& text) {
   std::cerr << "discmc: " + name_for_people(input) + ": " + text + '\n';
 }

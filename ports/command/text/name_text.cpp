@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
-// 0: none begins with it.
+// Returns 0 for a byte that begins no character.
 std::size_t length_by_first_byte(unsigned char first) {
   if (first < 0x80) return 1;
   if (first < 0xC0 || first >= 0xF8) return 0;
@@ -19,7 +19,7 @@ std::size_t length_by_first_byte(unsigned char first) {
   return first >= 0xE0 ? 3 : 2;
 }
 
-// The bytes of the character that the text begins with; 0 where that is none.
+// Returns the length of the first character, or 0 if the text does not begin with a valid one.
 std::size_t character_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   const std::size_t length = length_by_first_byte(first);
@@ -37,7 +37,7 @@ std::size_t character_length(std::string_view text) {
   return code < min_code[length] || code > 0x10FFFF || is_surrogate || is_none ? 0 : length;
 }
 
-// add: called with every character, and U+FFFD for bytes that are none.
+// add: called with each valid character, and with U+FFFD for each invalid byte.
 template <class Add>
 void for_each_character(std::string_view text, Add add) {
   while (!text.empty()) {

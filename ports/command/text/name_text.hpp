@@ -1,4 +1,4 @@
-// Names of any bytes as the text of files.
+// Names of arbitrary bytes as text for files.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace discmc::command {
 
-/// A string of JSON, in quotes. What is no UTF-8 becomes the replacement character, U+FFFD.
+/// Returns a quoted JSON string. Invalid UTF-8 becomes the replacement character, U+FFFD.
 std::string json_string(std::string_view name);
 
-/// The value of an attribute of XML, without quotes. What XML cannot hold, control characters too,
-/// becomes U+FFFD.
+/// Returns the value of an XML attribute, without quotes. Bytes and control characters that XML
+/// cannot hold become U+FFFD.
 std::string xml_attribute(std::string_view name);
 
-/// The text in UTF-8. One without any character of UTF-8 above ASCII is taken to be Latin-1.
+/// Converts to UTF-8. A text without any non-ASCII character of UTF-8 counts as Latin-1.
 std::string utf8(std::string_view text);
 
 }  // namespace discmc::command

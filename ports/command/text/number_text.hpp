@@ -1,4 +1,4 @@
-// Numbers that a text is, from its first character to its last.
+// Parses texts that are numbers from the first character to the last.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace discmc::command {
 
-/// A decimal number, whatever the user's locale; "inf" and "nan", in any case, are such. Nothing
-/// where the text is none, or beyond what double holds.
+/// Parses a decimal number in any locale, including "inf" and "nan" in any case. Returns nothing
+/// for other text, and for numbers beyond the range of double.
 inline std::optional<double> decimal_number(std::string_view text) {
   const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   if (has_plus) text.remove_prefix(1);
@@ -26,19 +26,19 @@ inline std::optional<double> decimal_number(std::string_view text) {
   return is_number ? std::optional<double>(value) : std::nullopt;
 }
 
-/// The same, but for infinite ones and NaN.
+/// Likewise refuses infinite numbers and NaN.
 inline std::optional<double> finite_number(std::string_view text) {
   const auto value = decimal_number(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// The same, with blanks around it, and with a comma for the point as some write it.
+/// Likewise accepts blanks around the number and a decimal comma.
 inline std::optional<double> decimal(std::string text) {
   std::replace(text.begin(), text.end(), ',', '.');
   return finite_number(trimmed(text));
 }
 
-/// The number in six digits at most, for people.
+/// Formats the number in at most six digits.
 inline std::string short_number(double value) {
   std::array<char, 32> text{};
   const auto [end, error] =

@@ -1,5 +1,5 @@
-// Values as text, and whole numbers that a text is. Apart from number_text.hpp, as the page's
-// module has no decimal ones.
+// Formats values, and parses whole numbers. This is apart from number_text.hpp because the page's
+// module parses no decimal numbers.
 #pragma once
 
 #include <charconv>
@@ -12,7 +12,7 @@
 
 namespace discmc::command {
 
-/// Nothing where the text is no whole number, or one that the type does not hold.
+/// Returns nothing if the text is not a whole number in the range of the type.
 template <class Whole>
 std::optional<Whole> whole_number(std::string_view text, int base = 10) {
   Whole value{};
@@ -21,11 +21,11 @@ std::optional<Whole> whole_number(std::string_view text, int base = 10) {
   return is_number ? std::optional<Whole>(value) : std::nullopt;
 }
 
-/// The value in decimal, in 15 digits at most, without zeros at the end. What came from 32 bits of
-/// floating point has the digits of these: 0.1, not 0.100000001490116.
+/// Formats the value in decimal, in at most 15 digits, without trailing zeros. A value of 32-bit
+/// floating point has the digits of that type: 0.1, not 0.100000001490116.
 std::string value_text(double value);
 
-/// 1234567 as 1,234,567.
+/// Formats 1234567 as 1,234,567.
 inline std::string grouped(std::uint64_t value) {
   std::string digits = std::to_string(value);
   for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3)

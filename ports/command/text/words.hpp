@@ -1,4 +1,4 @@
-// Text of headers: lines, words, blanks and letters.
+// Splits the text of headers into lines, words and letters.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace discmc::command {
 
-/// Takes a line off the front, without its line feed and carriage return; nothing at the end.
+/// Removes and returns the first line, without its line feed and carriage return; nothing at the
+/// end.
 std::optional<std::string_view> take_line(std::string_view& text);
 
 /// Returns the text without blanks at either end.
@@ -26,7 +27,7 @@ constexpr bool is_control(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
 }
 
-/// The text with underscores in their place.
+/// Returns the text with underscores for control characters.
 inline std::string without_control(std::string text) {
   std::replace_if(text.begin(), text.end(), is_control, '_');
   return text;

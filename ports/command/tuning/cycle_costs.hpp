@@ -1,4 +1,4 @@
-// The cycles of a device's work: an estimate, as no processor was measured.
+// The cycles of a device's work. They are estimates; no processor was measured.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ enum class Wire { regions, slices };
 
 struct DeviceWork {
   std::uint64_t voxels = 0;  ///< compared with the threshold
-  std::uint64_t on = 0;      ///< of them
+  std::uint64_t on = 0;      ///< voxels that are on
   std::uint64_t rows = 0;
-  std::uint64_t cells = 0;  ///< that the surface passes through
-  std::uint64_t steps = 0;  ///< of regions the links of rings and loose pieces; of slices the
-                            ///< voxels and runs that are coded
+  std::uint64_t cells = 0;  ///< through which the surface passes
+  std::uint64_t steps = 0;  ///< for regions, the links of rings and loose pieces; for slices, the
+                            ///< coded voxels and runs
   std::uint64_t bytes = 0;  ///< of the stream
 
   DeviceWork operator-(const DeviceWork& before) const {
@@ -23,14 +23,14 @@ struct DeviceWork {
   }
 };
 
-/// The costs of the library compiled with -Os. scripts/check/cycles measures and writes them, and
-/// prints their errors (lib/FOOTPRINT.md).
+/// The processors with measured costs. scripts/check/cycles measures the library compiled with -Os,
+/// writes these costs, and prints their errors (lib/FOOTPRINT.md).
 enum class Core { cortex_m0plus, cortex_m4, cortex_m7 };
 
-/// Units: processor cycles, for each unit of DeviceWork.
+/// Processor cycles per unit of DeviceWork.
 struct CycleCosts {
   double voxel_of_8_bits, voxel_of_16_bits;
-  double on;  ///< more for a voxel that is on
+  double on;  ///< extra cost of a voxel that is on
   double row, cell, step, byte;
 };
 

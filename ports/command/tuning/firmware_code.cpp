@@ -14,7 +14,7 @@ bool is_open(const FirmwareChoice& choice) {
   return choice.limits.border == Border::open;
 }
 
-// INT32_MIN itself is no literal.
+// INT32_MIN itself cannot be written as a literal.
 std::string threshold_text(std::int32_t threshold) {
   return threshold == INT32_MIN ? "INT32_MIN" : std::to_string(threshold);
 }

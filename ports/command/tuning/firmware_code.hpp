@@ -1,4 +1,4 @@
-// What to put into the firmware: constants and static memory, in C++ and in C.
+// Code for the firmware, in C++ and in C: constants and static memory.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@ namespace discmc::command {
 struct FirmwareChoice {
   Limits limits;
   std::int32_t threshold = 0;
-  std::vector<std::string> comments{};     ///< a line each
-  std::uint64_t arena_bytes = 0;           ///< of regions; 0: slices
-  std::optional<Capacities> capacities{};  ///< in place of arena_bytes
-  std::uint32_t key_slices = 0;            ///< the interval, of slices
+  std::vector<std::string> comments{};     ///< one per line
+  std::uint64_t arena_bytes = 0;           ///< arena of regions; 0: slices
+  std::optional<Capacities> capacities{};  ///< replaces arena_bytes
+  std::uint32_t key_slices = 0;            ///< interval of key slices
 };
 
-/// Whole lines, which compile with the headers of the library and nothing else.
+/// Returns whole lines, which compile with only the headers of the library.
 std::string cpp_code(const FirmwareChoice& choice);
 std::string c_code(const FirmwareChoice& choice);
 

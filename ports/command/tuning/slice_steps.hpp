@@ -1,6 +1,5 @@
 // The number of voxels and runs that a stream of slices codes, which determines the encoder's time.
-//
-// With the library alone, so that boards can count them, too.
+// This header uses only the library, so that boards can count them, too.
 #pragma once
 
 #include <discmc/slice_encoder.hpp>
@@ -19,7 +18,7 @@ class SliceSteps {
     key_slice_interval_ = key_slice_interval;
   }
 
-  /// Takes a row as SliceEncoder does.
+  /// Accepts a row like SliceEncoder.
   void push_bits(const uint8_t* bits) {
     rows_.append_bits(bits);
     count_row();

@@ -25,7 +25,7 @@ DeviceWork work_of(const VolumeBits& volume, std::uint32_t slices, std::uint64_t
   return work;
 }
 
-// Pushes every row, and calls after every slice.
+// Pushes every row, and calls `call` after each slice.
 template <class Scanner, class Call>
 void push_all(Scanner& scanner, const VolumeBits& volume, Call call) {
   std::size_t row = 0;
@@ -37,7 +37,7 @@ void push_all(Scanner& scanner, const VolumeBits& volume, Call call) {
   require(scanner.finish());
 }
 
-// Coded by the end of each slice, in all.
+// Returns the total number of coded steps after each slice.
 std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume,
                                           const SliceEncoderConfig& config) {
   const auto bytes = SliceEncoder::minimum_bytes(config);
@@ -56,7 +56,7 @@ std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume,
 constexpr std::uint64_t step = 256;
 constexpr std::uint32_t max_slots = detail::sizing::max_slots<std::uint16_t>;
 
-// With this many unused slots no loose fragment is ever sent (docs/memory.md).
+// With this many unused slots, no loose fragment is ever sent (docs/memory.md).
 constexpr std::uint32_t spare_slots = 1168;
 
 std::uint64_t rounded_up(std::uint64_t bytes, std::uint64_t unit) {
@@ -152,7 +152,7 @@ std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end) 
   const std::uint64_t unit = least < 4096 ? step : 1024;
   std::vector<std::uint64_t> sizes;
   std::uint64_t size = least;
-  // In quarters of the minimum: 4, 5, 6, 8, 12, 16, 24 and so on.
+  // The sizes in quarters of the minimum are 4, 5, 6, 8, 12, 16, 24 and so on.
   for (std::uint64_t quarters = 5; size < end;) {
     if (sizes.empty() || size > sizes.back()) sizes.push_back(size);
     size = rounded_up(least * quarters / 4, unit);

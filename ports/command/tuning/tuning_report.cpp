@@ -16,7 +16,7 @@ double seconds(const DeviceWork& work, Wire wire, const Device& device) {
   return cycles_of(work, device.sample_bytes, cycle_costs(device.core, wire)) / device.clock_hz;
 }
 
-// In the slice that takes longest.
+// Returns the rate in the slowest slice.
 double rows_a_second_at_worst(const Trial& trial, Wire wire, const Device& device) {
   double longest = 0;
   DeviceWork before;
@@ -28,7 +28,7 @@ double rows_a_second_at_worst(const Trial& trial, Wire wire, const Device& devic
 }
 
 std::string rows_text(double rows_a_second) {
-  // No more digits than the estimate has.
+  // Rounds to the digits that the estimate supports.
   const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(rows_a_second)) - 1));
   return grouped(static_cast<std::uint64_t>(std::round(rows_a_second / unit) * unit));
 }

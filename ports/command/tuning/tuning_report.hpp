@@ -19,15 +19,15 @@ struct Device {
   std::uint32_t sample_bytes;
 };
 
-/// With a start and a stop bit to a byte.
+/// Counts a start and a stop bit per byte.
 double seconds_on_link(const Trial& trial, const Device& device);
 
-/// Seconds for people: three digits.
+/// Formats seconds for people, in three digits.
 std::string seconds_text(double seconds);
 
-/// A trial and what its row begins with.
+/// A trial and the beginning of its row in the table.
 struct TriedRow {
-  std::string memory;  ///< of regions its bytes; of slices also which are key slices
+  std::string memory;  ///< bytes for regions; for slices also the key-slice interval
   const Trial* trial;
   bool is_chosen;
 };

@@ -22,7 +22,7 @@ std::uint64_t count_on(Iterator begin, Iterator end) {
 VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
     : limits_{volume.info().dims[0], volume.info().dims[1], options.border},
       header_(stream_header(volume.info(), options)),
-      // A scanner's converter has 8 bits or up to 16; a file may have more of them.
+      // A scanner's converter has 8 or up to 16 bits, even if the file has more.
       sample_bytes_(command::sample_bytes(volume.info().type) == 1 ? 1 : 2),
       is_floating_(command::is_floating(volume.info().type)),
       row_bytes_(bit_row_bytes(limits_.width)) {

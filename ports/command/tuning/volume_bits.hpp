@@ -1,5 +1,4 @@
-// A volume as it is after its threshold, in memory: it is read once, and scanned as often as
-// needed.
+// A thresholded volume in memory: read once, scanned as often as needed.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +12,26 @@
 
 namespace discmc::command {
 
-/// An eighth of a byte per voxel.
+/// Memory: an eighth of a byte per voxel.
 class VolumeBits {
  public:
   /// Reads the volume to its end. options: the selection, the border, the filter, the mask and the
-  /// progress count. Throws as extract().
+  /// progress count. Throws like extract().
   VolumeBits(VolumeReader& volume, const ExtractionOptions& options);
 
   const Limits& limits() const { return limits_; }
   std::uint32_t slices() const { return header_.depth; }
-  /// The header of a stream of this volume.
+  /// Returns the header of a stream of this volume.
   const StreamHeader& header() const { return header_; }
-  /// The size of a sample on the device: 1 or 2. Units: bytes.
+  /// Returns the size of a sample on the device: 1 or 2. Units: bytes.
   std::uint32_t sample_bytes() const { return sample_bytes_; }
   /// Whether the file's samples are floating point, which no device has.
   bool is_floating() const { return is_floating_; }
-  /// Voxels that are on in the first slices, as many as given.
+  /// Returns the number of voxels that are on in the first `slices` slices.
   std::uint64_t on(std::uint32_t slices) const { return on_[slices]; }
   bool is_full() const { return is_full_; }
 
-  /// A row as Extractor::push_bits() takes it, counted over all slices.
+  /// Returns a row in the form of Extractor::push_bits(). Rows are counted over all slices.
   const std::uint8_t* row(std::size_t number) const { return bits_.data() + number * row_bytes_; }
 
  private:
