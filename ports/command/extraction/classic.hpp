@@ -10,8 +10,9 @@ namespace discmc::command {
 
 /// Reads the volume to its end and makes triangles of the same topology as extract(). Each loop of
 /// a cell is a fan over its edge crossings, and each triangle is a polygon. Crossings are
-/// interpolated between two samples, at half a stored unit below the threshold; next to the halo of
-/// a closed border they are halfway. options.memory is ignored. Throws VolumeError from the reader.
+/// interpolated between two samples, half a stored unit below the threshold. Next to the halo of a
+/// closed border, crossings are halfway. options.memory is ignored. Throws VolumeError from the
+/// reader.
 FaceMesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options);
 
 }  // namespace discmc::command

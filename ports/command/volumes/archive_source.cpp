@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-// libarchive gives names of any language in such a locale alone.
+// libarchive decodes names of all languages only in such a locale.
 class Utf8Locale {
  public:
   Utf8Locale() : locale_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
@@ -29,7 +29,7 @@ class Utf8Locale {
   locale_t before_{};
 };
 
-// The name of a member; its number where the archive has it in a way that is not known.
+// Returns the name of a member, or its number if the name cannot be decoded.
 std::string name_of(archive_entry* entry, std::size_t number) {
   const char* name = archive_entry_pathname_utf8(entry);
   if (name == nullptr) name = archive_entry_pathname(entry);
@@ -85,7 +85,7 @@ bool ArchiveSource::next_part() {
   std::size_t bytes = 0;
   la_int64_t offset = 0;
   int result = ARCHIVE_OK;
-  do {  // blocks of no bytes are no end
+  do {  // empty blocks do not end the member
     result = archive_read_data_block(archive_.get(), &block, &bytes, &offset);
   } while (result == ARCHIVE_OK && bytes == 0);
   is_at_end_ = result == ARCHIVE_EOF;

@@ -1,4 +1,4 @@
-// What libarchive unpacks, as bytes in order. Compiled where libarchive is there.
+// Unpacks archives with libarchive. Compiled only if libarchive is available.
 #pragma once
 
 #include <array>
@@ -15,18 +15,19 @@ struct archive;
 
 namespace discmc::command {
 
-/// An archive, whose members are read one after the other: read() is of the last one.
+/// An archive as a source of bytes. Members are read one after another; read() reads the current
+/// one.
 class ArchiveSource final : public PartwiseSource {
  public:
   /// Registers the formats and filters with libarchive.
   using Support = void (*)(archive*);
 
-  /// Reads the bytes of another source as they come.
+  /// Reads the archive from another source, in one pass.
   ArchiveSource(std::unique_ptr<ByteSource> in, Support support);
-  /// Reads a file in any order: a zip has its list of members at its end.
+  /// Reads a file in any order, because a zip has its list of members at the end.
   ArchiveSource(const std::filesystem::path& file, Support support);
 
-  /// Goes to the next file and returns its name; nothing at the end or at damage().
+  /// Begins the next file and returns its name; nothing at the end or at damage().
   std::optional<std::string> next_member();
 
   std::uint64_t max_left() const override { return unbounded; }
@@ -41,7 +42,7 @@ class ArchiveSource final : public PartwiseSource {
   std::unique_ptr<ByteSource> in_;
   std::array<char, 65536> packed_{};
   std::unique_ptr<archive, int (*)(archive*)> archive_;
-  bool is_at_end_ = false;  // of the member
+  bool is_at_end_ = false;  // of the current member
   std::size_t members_ = 0;
   std::string damage_;
 };

@@ -23,7 +23,7 @@ std::string shape_text(const Sizes& sizes) {
   return text;
 }
 
-// So that all samples, and their bytes, can be counted.
+// Throws unless the number of samples and bytes fits 64 bits.
 void require_countable(const std::filesystem::path& file, const Sizes& sizes) {
   constexpr std::int64_t max_sample_bytes = 8;
   std::int64_t most = std::numeric_limits<std::int64_t>::max() / max_sample_bytes;
@@ -35,8 +35,7 @@ void require_countable(const std::filesystem::path& file, const Sizes& sizes) {
   }
 }
 
-// Returns the axes that are left when those of size 1 are dropped until this many are left, the
-// last ones first.
+// Drops axes of size 1, the last first, until `count` axes are left. Returns these.
 std::vector<std::size_t> kept_axes(const Sizes& sizes, std::size_t count) {
   std::vector<std::size_t> kept(sizes.size());
   for (std::size_t axis = 0; axis < kept.size(); ++axis) kept[axis] = axis;
@@ -50,7 +49,7 @@ std::vector<std::size_t> kept_axes(const Sizes& sizes, std::size_t count) {
   return kept;
 }
 
-// Letters of unnamed axes: the last ones are of the volume, all others of time.
+// Letters for unnamed axes: the last axes belong to the volume, all others count volumes.
 std::string default_letters(std::size_t count) {
   std::string letters(count, 't');
   for (std::size_t i = 0; i < std::min<std::size_t>(count, 3); ++i)
@@ -58,11 +57,11 @@ std::string default_letters(std::size_t count) {
   return letters;
 }
 
-// An array as it is stored, the slowest axis first.
+// An array as stored, the slowest axis first.
 struct StoredArray {
   Sizes sizes;
-  std::vector<std::size_t> axes;  // those that are kept
-  std::string letters;            // of them
+  std::vector<std::size_t> axes;  // without dropped axes of size 1
+  std::string letters;            // of `axes`
 };
 
 void note_default_axes(VolumeInfo& info, const ArrayShape& shape) {
@@ -102,7 +101,7 @@ std::int64_t product_along(char letter, const StoredArray& array) {
   return product;
 }
 
-// The last of the axes with a letter counts fastest.
+// Begins the layout at an index along the last axis with this letter, which counts fastest.
 void go_to(ArrayLayout& layout, const StoredArray& array, char letter, std::uint64_t index) {
   for (std::size_t i = array.axes.size(); i-- > 0;) {
     if (array.letters[i] != letter) continue;
@@ -112,7 +111,7 @@ void go_to(ArrayLayout& layout, const StoredArray& array, char letter, std::uint
   }
 }
 
-// From a sample to the next one along each axis. Units: samples.
+// Returns the distance between neighbouring samples along each axis. Units: samples.
 std::vector<std::uint64_t> strides_of(const std::vector<std::uint64_t>& sizes) {
   std::vector<std::uint64_t> strides(sizes.size(), 1);
   for (std::size_t axis = sizes.size() - 1; axis-- > 0;)
@@ -192,7 +191,7 @@ void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string&
   if (coordinates.size() != voxels || voxels < 2) return;
   const auto steps = static_cast<double>(coordinates.size() - 1);
   const double step = (coordinates.back() - coordinates.front()) / steps;
-  constexpr double share = 1e-2;  // of a step, of what is rounded
+  constexpr double share = 1e-2;  // tolerated rounding, as a share of a step
   for (std::size_t i = 0; i < coordinates.size() && !options.spacing_mm; ++i)
     if (!(std::fabs(coordinates.front() + static_cast<double>(i) * step - coordinates[i]) <=
           share * std::fabs(step)))
@@ -228,7 +227,7 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
                         in_block == std::uint64_t{info.dims[0]} * info.dims[1];
   if (is_plain)
     return std::make_unique<SliceStream>(std::move(info), std::move(stream), is_big_endian, frame);
-  // Columns of all channels, where these are faster than the volume.
+  // Columns include all channels if the channel axis is faster than the volume.
   const std::uint64_t columns = layout.sizes.back();
   if (columns > UINT32_MAX || in_block / columns > UINT32_MAX || frames > UINT32_MAX)
     fail(file, "the array has " + std::to_string(in_block) + " samples per slice",

@@ -1,4 +1,4 @@
-// Arrays of any number of axes as volumes: which axis is which, and where their samples are.
+// Finds the volume in an array of any number of axes.
 #pragma once
 
 #include <array>
@@ -18,20 +18,20 @@ namespace discmc::command {
 
 /// The description of an array in a file.
 struct ArrayShape {
-  std::vector<std::int64_t> sizes;         ///< of array[a][b][c]: a, b, c
-  std::string letters = {};                ///< of each axis, such as "tczyx", or nothing
-  std::vector<std::string> channels = {};  ///< their names, or none
-  /// Whether neighbours along the first axis lie side by side, not along the last one.
+  std::vector<std::int64_t> sizes;         ///< sizes of array[a][b][c]: a, b, c
+  std::string letters = {};                ///< one per axis, such as "tczyx", or empty
+  std::vector<std::string> channels = {};  ///< names, or empty
+  /// Whether neighbours along the first axis are adjacent in the file, not along the last.
   bool is_first_fastest = false;
 };
 
-/// A volume in an array.
+/// The part of an array that is a volume.
 struct ArrayLayout {
-  /// The axis along which neighbours lie side by side is the last one.
+  /// Neighbours along the last axis are adjacent in the file.
   std::vector<std::uint64_t> sizes;
   /// The axes of the array that are x, y and z; an image has no z.
   std::array<std::optional<std::size_t>, 3> axes;
-  /// Where the volume begins along each axis: 0 but for the frame and the channel.
+  /// The index at which the volume begins along each axis: 0, except for the frame and the channel.
   std::vector<std::uint64_t> first;
 
   /// Returns the axis of the volume along which neighbours lie farthest apart.
@@ -40,26 +40,25 @@ struct ArrayLayout {
   std::string order() const;
 };
 
-/// Takes an array as a volume. Axes of size 1 are dropped, with a note, until as many are left as
-/// there are letters, or else three. Without letters, the three fastest axes are z, y and x, and
-/// those before them count volumes. Throws as set_dims(), where the letters are not those of the
-/// axes, and where of several channels none is chosen.
+/// Finds the volume in an array. Drops axes of size 1, with a note, until there are as many axes as
+/// letters, or three. Without letters, the three fastest axes are z, y and x, and other axes count
+/// volumes. Throws like set_dims(), if the letters do not fit the axes, and if none of several
+/// channels is chosen.
 ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
                        const VolumeOptions& options);
 
-/// Returns the letter of an axis by the name that people give it, "lon" or "depth"; '?' if that is
-/// of none.
+/// Returns the letter of an axis by a common name, such as "lon" or "depth"; '?' for other names.
 char axis_letter(std::string_view name);
 
-/// Takes the coordinates of voxels along an axis, x, y or z, as spacing and origin of a place. One
-/// more than there are voxels are those of their borders; any other number is ignored. Throws where
-/// they are uneven, unless the user gives a spacing. name: of the axis, for people.
+/// Converts the coordinates of voxels along an axis to spacing and origin. One coordinate more than
+/// there are voxels means borders of voxels; any other number is ignored. Throws if the coordinates
+/// are uneven, unless the user gives a spacing. name: of the axis, for people.
 void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
                       const std::string& name, std::vector<double> coordinates,
                       std::uint64_t voxels, const VolumeOptions& options);
 
-/// The volume of an array whose first sample is next in the stream. In memory are the slices of all
-/// channels; where z is not the slowest of its axes, the volume.
+/// Reads the volume of an array; the next byte of the stream is its first sample. Memory: the
+/// slices of all channels, or the volume if z is not its slowest axis.
 std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
                                            const ArrayLayout& layout, bool is_big_endian);
 

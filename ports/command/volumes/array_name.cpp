@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-// "/exchange/data (512 x 512 x 100)", with x first.
+// Returns a line such as "/exchange/data (512 x 512 x 100)", with x first.
 std::string listed(const NamedArray& array) {
   std::string text;
   for (auto size = array.sizes.rbegin(); size != array.sizes.rend(); ++size)
@@ -37,7 +37,7 @@ ArrayName array_name(const std::filesystem::path& name) {
   std::error_code ignored;
   const std::size_t first = text.find(":/");
   if (first == std::string::npos || std::filesystem::exists(name, ignored)) return {name, {}};
-  std::size_t colon = first;  // folders may have it in their names, arrays too
+  std::size_t colon = first;  // names of folders and arrays may contain colons
   while (colon != std::string::npos && !is_file(colon)) colon = text.find(":/", colon + 1);
   if (colon == std::string::npos) colon = first;
   return {text.substr(0, colon), text.substr(colon + 1)};

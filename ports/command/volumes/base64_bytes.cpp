@@ -8,8 +8,8 @@
 namespace discmc::command {
 namespace {
 
-// Four characters encode three bytes; '=' fills the last four of a part. Parts
-// may follow each other.
+// Decodes base64: four characters encode three bytes, and '=' fills up the last four of a part.
+// Parts may follow each other.
 class Base64Bytes final : public PartwiseSource {
  public:
   explicit Base64Bytes(std::unique_ptr<ByteSource> in) : in_(std::move(in)) {}
@@ -23,7 +23,7 @@ class Base64Bytes final : public PartwiseSource {
   std::string damage() const override { return damage_.empty() ? in_->damage() : damage_; }
 
  private:
-  // Returns the next character that is no blank, or '<' for the end.
+  // Returns the next character that is not a blank, or '<' at the end.
   char next_character() {
     while (true) {
       if (text_begin_ == text_end_) {

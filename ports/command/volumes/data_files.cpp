@@ -14,8 +14,8 @@
 namespace discmc::command {
 namespace {
 
-// The pattern of printf for one whole number, as headers have it: "%d", "%03d". printf itself
-// would follow whatever else the file contains.
+// A pattern of printf with one whole number, such as "%d" or "%03d". printf itself would also
+// interpret anything else that the file contains.
 struct Pattern {
   std::string before;
   std::string after;
@@ -98,7 +98,7 @@ class JoinedFiles final : public ByteSource {
              std::to_string(left_) + " bytes of " + std::to_string(bytes_each_) + " are missing" +
                  (damage.empty() ? "" : ": " + damage),
              "copy the file again");
-      // A header that is not skipped would move all samples.
+      // If a header were not skipped, all samples would be displaced.
       if (has_more && !skips_header_)
         fail(file_->file(),
              "the data file is longer than its share of " + std::to_string(bytes_each_) + " bytes",
@@ -107,7 +107,7 @@ class JoinedFiles final : public ByteSource {
     return done;
   }
 
-  // The files to come are not looked at before their turn.
+  // Later files are not opened before their turn.
   std::uint64_t max_left() const override { return unbounded; }
 
  private:

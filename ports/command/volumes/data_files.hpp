@@ -1,4 +1,4 @@
-// Volumes whose samples lie in several files, most often a file a slice.
+// Volumes whose samples are in several files, most often one file per slice.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,17 @@ struct DataFiles {
   std::function<std::filesystem::path(std::uint64_t)> path;
 };
 
-/// Whether what a header names is several files: a LIST, or a pattern with a number.
+/// Whether a header names several files: a LIST, or a pattern with a number.
 bool names_several_files(std::string_view text);
 
-/// The files that a header names, in the lines that follow or by a pattern and a step at its end:
-/// "slice%03d.raw 1 4 1". field: the name of the field, for the VolumeError if the text is neither.
+/// Returns the files that a header names: in the lines that follow, or by a pattern and a range
+/// such as "slice%03d.raw 1 4 1". field: the name of the field, for the VolumeError if the text is
+/// neither.
 DataFiles data_files(ByteStream& header, std::string_view field, std::string_view text);
 
-/// The samples of all files, each with an equal share of the volumes. open returns a file at its
-/// first sample. A file with more than its share is refused, unless something before the samples
-/// was skipped: then what is behind them is noted.
+/// Joins the samples of all files, each with an equal share of the volumes. open: returns a file at
+/// its first sample. A file with more samples than its share is refused. If something before the
+/// samples was skipped, the surplus is noted instead.
 ByteStream joined(const std::filesystem::path& header, const DataFiles& files, VolumeInfo& info,
                   std::function<ByteStream(const std::filesystem::path&)> open);
 

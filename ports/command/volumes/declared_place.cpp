@@ -38,7 +38,7 @@ void note_units(VolumeInfo& info, const Units& units) {
       note(info, "unit " + shown(unit) + " is unknown, mm assumed");
 }
 
-// The length of each unit.
+// Returns the length of each unit.
 Vector millimetres_of(const Units& units) {
   Vector lengths{};
   std::transform(units.begin(), units.end(), lengths.begin(),
@@ -59,7 +59,7 @@ Vector usable(VolumeInfo& info, Vector spacing_mm) {
   return spacing_mm;
 }
 
-// The spacing of a file without steps.
+// Returns the spacing of a file without steps.
 Vector spacing_of(VolumeInfo& info, const DeclaredPlace& place) {
   const auto& spacing = place.spacing;
   const auto is_given = [](const auto& distance) { return distance.has_value(); };
@@ -77,7 +77,7 @@ Vector spacing_of(VolumeInfo& info, const DeclaredPlace& place) {
   return usable(info, spacing_mm);
 }
 
-// In place of those of the file, whose axes keep their directions.
+// Applies the user's spacing instead of the file's. Axes keep their directions.
 Vector given_spacing(VolumeInfo& info, const DeclaredPlace& place, Vector spacing_mm) {
   for (std::size_t axis = 0; axis < 3 && !place.steps; ++axis)
     spacing_mm[axis] *= std::copysign(1.0, place.spacing[axis].value_or(1));
@@ -105,7 +105,7 @@ void multiply(Vector& vector, const Vector& factors) {
   for (std::size_t i = 0; i < 3; ++i) vector[i] *= factors[i];
 }
 
-// Sets the spacing but for its signs, and returns the axes.
+// Sets the spacing without its signs, and returns the axes.
 Axes take_axes(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
   Axes axes = place.steps ? *place.steps : place.directions.value_or(coordinates);
   Vector lengths{1, 1, 1};
@@ -128,9 +128,10 @@ Axes take_axes(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions
   return axes;
 }
 
-// The signs of the axes where each is mostly along its coordinate; otherwise that of the whole.
+// Returns the sign of each axis if every axis is mostly along its coordinate, otherwise the sign of
+// the whole.
 Vector signs_of(const Axes& axes) {
-  constexpr double mostly_along = 0.75;  // no other component can be larger
+  constexpr double mostly_along = 0.75;  // then no other component is larger
   Vector signs{};
   bool is_near = true;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -147,8 +148,8 @@ struct Unit {
   std::initializer_list<std::string_view> names;
 };
 
-// Words have British spelling and are singular here. Micro has two characters in Unicode, one
-// in Latin-1, and an escape in files of ImageJ.
+// Words have British spelling and are singular. Micro has two characters in Unicode, one in
+// Latin-1, and an escape in files of ImageJ.
 const Unit length_units[] = {
     {1000, {"m", "metre"}},
     {100, {"dm", "decimetre"}},
@@ -161,7 +162,7 @@ const Unit length_units[] = {
     {25.4, {"in", "inch", "\""}},
 };
 
-// "Micrometers" as "micrometre".
+// Converts "Micrometers" to "micrometre".
 std::string in_british_singular(std::string_view name) {
   std::string word = lower(trimmed(name));
   if (word == "inches") return "inch";
@@ -193,7 +194,7 @@ void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions
     note(info, "origin " + list(placement.origin_mm) + " is unusable, 0 is used");
     placement.origin_mm = {};
   }
-  // Sums with zero have no negative zeros.
+  // Adding zero turns -0 into 0.
   for (double& at : placement.origin_mm) at += 0.0;
   for (Vector& axis : placement.axes_mm)
     for (double& along : axis) along += 0.0;

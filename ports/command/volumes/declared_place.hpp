@@ -1,5 +1,5 @@
-// The place of voxels as a file declares it, and as it is used: the one place for units,
-// spacings, directions and origins.
+// The position and orientation of voxels, as a file declares them and as the command uses them. All
+// units, spacings, directions and origins are converted here.
 #pragma once
 
 #include <array>
@@ -11,22 +11,22 @@
 
 namespace discmc::command {
 
-/// As the file has it, in its own units. What the file lacks stays empty.
+/// The declaration of the file, in its own units. Missing items stay empty.
 struct DeclaredPlace {
-  /// Distances of neighbouring voxels along x, y and z, negative where an axis runs backwards.
+  /// Distances between neighbouring voxels along x, y and z, negative along a reversed axis.
   std::array<std::optional<double>, 3> spacing{};
-  /// The way to the next voxel along each axis. It counts more than the spacing.
+  /// Vectors to the next voxel along each axis. They override the spacing.
   std::optional<Axes> steps{};
-  /// The same as a direction, which the spacing makes as long as it is.
+  /// Directions of these vectors; the spacing gives their lengths.
   std::optional<Axes> directions{};
   /// The centre of voxel (0, 0, 0).
   std::array<double, 3> origin{};
-  /// Names of units: those of the spacing, along the axes of the volume, and those of steps and
-  /// origin, along the coordinates of space.
+  /// Names of units: of the spacing, along the axes of the volume, and of steps and origin, along
+  /// the coordinates of space.
   std::array<std::string, 3> axis_units{}, space_units{};
-  /// What the coordinates of space are; nothing if the file has only a spacing.
+  /// The space of the coordinates; nothing if the file has only a spacing.
   Space space = Space::scanner;
-  /// Whether those coordinates are left-handed: right-handed ones have the opposite x.
+  /// Whether the coordinates are left-handed. They become right-handed by the opposite x.
   bool is_left_handed = false;
 
   void set_unit(const std::string& name) {
@@ -35,17 +35,18 @@ struct DeclaredPlace {
   }
 };
 
-/// Takes spacing and placement. Replaces an unknown unit by millimetres, a missing or useless
-/// spacing by 1 mm, useless directions by the coordinates, a useless origin by 0. Each replacement
-/// has a note. options: whose spacing_mm counts more than the file's.
+/// Sets spacing and placement. Replaces an unknown unit by millimetres, an unusable spacing by 1
+/// mm, unusable directions by the coordinate axes, an unusable origin by 0. Notes each replacement.
+/// options: spacing_mm overrides the file's.
 ///
-/// The spacing gets the signs of the axes in right-handed coordinates. A surface by the spacing
-/// alone is turned and moved against the placed one, never mirrored. A placement that adds nothing
-/// to the spacing is dropped.
+/// The spacing gets the signs of the axes in right-handed coordinates. A surface that uses only the
+/// spacing is therefore turned and moved against the placed one, never mirrored. A placement that
+/// adds nothing to the spacing is dropped.
 void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options);
 
-/// Returns how many millimetres a unit has; nothing if the name is that of no length. Symbols,
-/// and words in British or American spelling, one or several, in any case: "um", "Microns".
+/// Returns the length of a unit in millimetres, or nothing if the name is not a length. Accepts
+/// symbols and words in British or American spelling, singular or plural, in any case: "um",
+/// "Microns".
 std::optional<double> millimetres_in(std::string_view unit);
 
 }  // namespace discmc::command

@@ -1,4 +1,4 @@
-// What the samples of an array stand for, as NetCDF and xarray declare it in attributes.
+// The scale and fill value of an array, declared by the attributes of NetCDF and xarray.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,17 @@ namespace discmc::command {
 
 struct DeclaredValues {
   double slope = 1, intercept = 0;
-  std::optional<double> fill{};       ///< samples that are none
-  std::optional<bool> is_unsigned{};  ///< of whole numbers; nothing: as they are stored
+  std::optional<double> fill{};       ///< marks samples without a value
+  std::optional<bool> is_unsigned{};  ///< of whole numbers; nothing: as stored
 };
 
-/// number: called with the name of an attribute, returns it if it is one number. sign: the text of
-/// the attribute _Unsigned.
+/// number: returns the attribute of a name, if it is one number. sign: the text of the attribute
+/// _Unsigned.
 DeclaredValues declared_values(const std::function<std::optional<double>(const char*)>& number,
                                const std::string& sign);
 
-/// Sets the type and the scale. Returns the fill value, as a sample of this type. Limit: the type
-/// is that of the stored samples.
+/// Sets the type and the scale. Returns the fill value as a sample of this type. Limit: info has
+/// the type of the stored samples.
 std::optional<double> set_values(VolumeInfo& info, const std::string& file,
                                  const DeclaredValues& values);
 

@@ -38,7 +38,7 @@ constexpr std::string_view to_zarr = "convert it, e.g. with: bioformats2raw FILE
 constexpr std::size_t anywhere = std::string_view::npos;
 constexpr std::string_view unpack = "unpack it, and give the folder or the file";
 
-// The first one counts whose ending or magic fits.
+// The first format whose ending or magic matches counts.
 const std::vector<VolumeFormat>& formats() {
   static const std::vector<VolumeFormat> list = {
       {"NRRD", {".nrrd", ".nhdr"}, {{0, "NRRD000"}}, open_nrrd, nullptr},

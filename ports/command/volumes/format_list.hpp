@@ -1,5 +1,5 @@
-// The formats of files: their names, their first bytes, and what reads them. Also files that are no
-// volumes, by their names.
+// The formats of files: names, first bytes, and readers. Also lists files that are not volumes, by
+// their names.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,21 @@
 
 namespace discmc::command {
 
-/// Bytes that files of a format have at an offset, or anywhere among the first.
+/// Bytes at an offset of a file, or anywhere in its first bytes.
 struct Magic {
   std::size_t offset;
   std::string_view bytes;
 };
 
-/// A format is read from a stream of bytes, from a file that is there and not packed, or not at
-/// all.
+/// A format that is read from a stream of bytes, from an existing unpacked file, or not at all.
 struct VolumeFormat {
   std::string_view name;
-  std::vector<std::string_view> endings;  ///< of the names of files, in lower case
+  std::vector<std::string_view> endings;  ///< endings of file names, in lower case
   std::vector<Magic> magics;
   std::unique_ptr<VolumeReader> (*open_stream)(ByteStream stream, const VolumeOptions& options);
   std::unique_ptr<VolumeReader> (*open_file)(const std::filesystem::path& file,
                                              const VolumeOptions& options);
-  /// The remedy for a format that is not read: a program that converts it.
+  /// The remedy for an unsupported format: a program that converts it.
   std::string_view remedy = {};
 };
 
@@ -35,28 +34,28 @@ inline bool is_read(const VolumeFormat& format) {
   return format.open_stream != nullptr || format.open_file != nullptr;
 }
 
-/// Returns the format that a file has by its name, which may be that of an array in it. A packed
-/// file has the format of its content. Null if the name is of no format.
+/// Returns the format of a file by its name, which may be the name of an array in it, or null. A
+/// packed file has the format of its content.
 const VolumeFormat* format_of_name(const std::filesystem::path& file);
 
-/// Returns the format that bytes begin like, or null. head: the first magic_bytes of them, fewer
-/// where there are no more.
+/// Returns the format by the first bytes, or null. head: the first magic_bytes bytes, fewer in a
+/// shorter file.
 const VolumeFormat* format_of_head(std::string_view head);
 
-/// Whether a file is named as arrays are, whose axes the user may name.
+/// Whether the name means an array, whose axes the user may name.
 bool names_no_axes(const std::filesystem::path& file);
 
 /// Units: bytes at the beginning of a file that identify its format.
 constexpr std::size_t magic_bytes = 348;
 
-/// Whether bytes begin like a file of a volume format with a header, or like a packed file. Streams
-/// never do.
+/// Whether the first bytes are those of a volume format with a header, or of a packed file. Streams
+/// never begin like this.
 bool is_volume_head(std::string_view head);
 
 bool is_stream_name(const std::filesystem::path& file);
 bool is_mesh_name(const std::filesystem::path& file);
 
-/// The end of an error where a mesh is given to another command.
+/// The end of the message if a mesh is given to another command.
 constexpr const char* who_takes_meshes =
     "only discmc compare, render and view read meshes: .stl, .ply, .obj, .glb or .3mf";
 

@@ -50,7 +50,7 @@ class CroppedVolume final : public VolumeFilter {
 
   std::filesystem::path file_;
   std::array<std::uint32_t, 3> first_;
-  std::uint32_t next_ = 0;  // slice of the volume
+  std::uint32_t next_ = 0;  // next slice of `volume`
   std::vector<std::uint8_t> slice_;
 };
 

@@ -51,7 +51,7 @@ class WithoutFill final : public VolumeFilter {
 }  // namespace
 
 std::unique_ptr<VolumeReader> without_fill(std::unique_ptr<VolumeReader> volume, double fill) {
-  if (std::isnan(fill)) return volume;  // NaN is outside as it is
+  if (std::isnan(fill)) return volume;  // NaN is outside in any case
   return std::make_unique<WithoutFill>(std::move(volume), fill);
 }
 

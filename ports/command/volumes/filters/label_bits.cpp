@@ -26,7 +26,7 @@ class LayerBits {
       if (value != LabelValue(0)) each.bits |= bits_of_others_;
   }
 
-  /// Adds the labels that no voxel had, ", 5, 7".
+  /// Appends the labels that no voxel had, such as ", 5, 7".
   void list_missing(std::string& text) const {
     for (const auto& [value, each] : bits_)
       if (!each.is_found && value != LabelValue(0)) text += ", " + value.text();
@@ -43,7 +43,7 @@ class LayerBits {
       const auto* const sample = reinterpret_cast<const Sample*>(slice_.data());
       std::uint64_t on = 0;
       for (std::size_t i = 0; i < slice_.size() / sizeof(Sample); ++i) {
-        // Neighbours are mostly alike.
+        // Neighbours mostly have one label.
         if (i == 0 || sample[i] != sample[i - 1]) on = bits_of(sample[i]);
         bits[i] = static_cast<Whole>(bits[i] | on);
       }
@@ -107,7 +107,7 @@ class LabelBits final : public VolumeReader {
  private:
   std::vector<LayerBits> layers_;
   VolumeInfo info_;
-  std::uint32_t read_ = 0;  // slices that were not skipped
+  std::uint32_t read_ = 0;  // slices that were read, not skipped
 };
 
 }  // namespace

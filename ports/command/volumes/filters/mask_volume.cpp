@@ -14,7 +14,7 @@
 namespace discmc::command {
 namespace {
 
-// 1 where the value is another number than 0.
+// Samples are 1 if the value is a number other than 0.
 class Mask final : public VolumeFilter {
  public:
   explicit Mask(std::unique_ptr<VolumeReader> volume)
@@ -69,7 +69,7 @@ class MaskedLabels final : public VolumeFilter {
   std::vector<std::uint8_t> on_;
 };
 
-// The axes without those of times and channels.
+// Returns the axes without times and channels.
 std::string axes_of_space(std::string axes) {
   const auto is_other = [](char letter) { return letter == 't' || letter == 'c'; };
   axes.erase(std::remove_if(axes.begin(), axes.end(), is_other), axes.end());
@@ -88,7 +88,7 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   VolumeOptions of_all;
   of_all.spacing_mm = options.spacing_mm;
   of_all.allow_gaps = options.allow_gaps;
-  // The options are those of the volume: none describes the mask.
+  // The frame, channel and layout in the options describe the volume, not the mask.
   of_all.frame = 0;
   of_all.channel = 0;
   if (names_no_axes(file)) of_all.axes = axes_of_space(options.axes);

@@ -16,7 +16,8 @@
 namespace discmc::command {
 namespace {
 
-// The slices of a layer of blocks are added, and their values taken, again and again.
+// Collects the slices of a layer of blocks, and returns the values of the blocks. Reused for each
+// layer.
 class Blocks {
  public:
   Blocks() = default;
@@ -26,23 +27,23 @@ class Blocks {
 
   virtual void add_slice(const void* samples) = 0;
   virtual void take_values(void* samples) = 0;
-  /// The values that no block has kept, ", 5, 7".
+  /// Returns the labels that no block has kept, such as ", 5, 7".
   virtual std::string lost() const { return {}; }
 };
 
-// How blocks divide a slice.
+// The division of a slice into blocks.
 struct Division {
   std::uint32_t extent;
   std::array<std::uint32_t, 2> voxels, blocks;
 
-  // From the first voxel of a block to that behind it.
+  // Returns the end of a block that begins at `first`.
   std::uint32_t end_of(std::uint32_t first, std::size_t axis) const {
     return std::min(first + extent, voxels[axis]);
   }
 };
 
-// The exact mean of whole numbers. They are counted from the least one, which makes all of them
-// positive, and added in halves of 32 bits: the sums fit 64.
+// The exact mean of whole numbers. Offsets from the least number are positive; their upper and
+// lower 32 bits are added apart, so that the sums fit 64 bits.
 template <class Sample, bool = std::is_floating_point_v<Sample>>
 class Mean {
  public:
@@ -111,7 +112,7 @@ class MostFrequent final : public Blocks {
  public:
   explicit MostFrequent(const Division& division) : division_(division) {}
 
-  // As they come: no more is held than the file has.
+  // Grows with the slices that arrive, so a short file needs little memory.
   void add_slice(const void* samples) override {
     const auto* first = static_cast<const Sample*>(samples);
     slices_.insert(slices_.end(), first, first + slice_samples());
@@ -175,9 +176,9 @@ class MostFrequent final : public Blocks {
   }
 
   Division division_;
-  std::vector<Sample> slices_;          // of the layer
-  std::vector<Sample> block_, sorted_;  // the one under way
-  std::map<Sample, bool> kept_;         // of labels
+  std::vector<Sample> slices_;          // of the current layer
+  std::vector<Sample> block_, sorted_;  // of the current block
+  std::map<Sample, bool> kept_;         // whether some block has kept a label
 };
 
 std::unique_ptr<Blocks> blocks_of(SampleType type, const Division& division, BlockValue value) {
@@ -190,7 +191,7 @@ std::unique_ptr<Blocks> blocks_of(SampleType type, const Division& division, Blo
 
 class ShrunkVolume final : public VolumeFilter {
  public:
-  /// info: of the larger voxels.
+  /// info: of the shrunk volume.
   ShrunkVolume(std::unique_ptr<VolumeReader> volume, VolumeInfo info, std::uint32_t extent,
                std::unique_ptr<Blocks> blocks)
       : VolumeFilter(std::move(volume)),
@@ -217,8 +218,8 @@ class ShrunkVolume final : public VolumeFilter {
   }
 
  private:
-  // Returns the number of slices in the next layer. At the end the volume is asked for one too
-  // many, and throws.
+  // Returns the number of slices in the next layer. At the end, one read too many makes the volume
+  // throw.
   std::uint32_t take_layer() {
     const std::uint32_t layer = std::clamp(volume().info().dims[2] - read_, 1U, extent_);
     read_ += layer;
@@ -228,7 +229,7 @@ class ShrunkVolume final : public VolumeFilter {
   std::uint32_t extent_;
   std::unique_ptr<Blocks> blocks_;
   std::vector<std::uint8_t> slice_;
-  std::uint32_t read_ = 0;  // slices of the volume
+  std::uint32_t read_ = 0;  // slices read from the volume
 };
 
 }  // namespace

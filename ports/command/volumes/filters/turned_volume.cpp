@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-// Samples in a plane: rows of them, and the way from one row and one sample to the next.
+// Samples in a plane: rows, and the distances between rows and between samples.
 struct Plane {
   std::uint64_t rows, columns;
   std::uint64_t row_stride, column_stride;
@@ -57,7 +57,7 @@ class TurnedVolume final : public VolumeFilter {
   }
 
  private:
-  // Reads the next block and takes the volume's samples of it, by rows along an axis.
+  // Reads the next block and copies the volume's samples in it, in rows along an axis.
   void read_plane(std::size_t row_axis, std::size_t column_axis, unsigned char* out) {
     volume().read_slice(block_.data());
     const Plane plane{info().dims[row_axis], info().dims[column_axis], layout_.strides[row_axis],
@@ -67,7 +67,7 @@ class TurnedVolume final : public VolumeFilter {
     });
   }
 
-  // All blocks, by rows along z.
+  // Reads all blocks, in rows along z.
   void read_planes() {
     const std::size_t other_axis = 1 - layout_.block_axis;
     const std::uint64_t bytes =
@@ -129,7 +129,7 @@ class VolumeTurnedTo final : public VolumeFilter {
         if (is_reversed) to.origin_mm[j] += last * place.axes_mm[axis][j];
       }
     }
-    // What reads by slices alone has no use for those behind.
+    // Slice-by-slice reading never uses the step between slices.
     if (is_slice_by_slice_) steps_[2] = 0;
     own_info().placement = to;
     add_note("the axes are turned to those of the other volume");
@@ -149,7 +149,7 @@ class VolumeTurnedTo final : public VolumeFilter {
     ++next_;
   }
 
-  // Some slices are in no slice of the stored volume alone.
+  // A turned slice may consist of parts of many stored slices, so none can be skipped.
   void skip_slice() override {
     Bytes dropped(info().slice_bytes());
     read_slice(dropped.data());
@@ -160,16 +160,16 @@ class VolumeTurnedTo final : public VolumeFilter {
     const VolumeInfo& of = volume().info();
     const std::uint32_t count = is_slice_by_slice_ ? 1 : of.dims[2];
     for (std::uint32_t z = 0; z < count; ++z) {
-      slices_.resize(of.slice_bytes() * (z + 1));  // no more than has come
+      slices_.resize(of.slice_bytes() * (z + 1));  // grows with the slices that arrive
       volume().read_slice(&slices_[of.slice_bytes() * z]);
     }
   }
 
   std::filesystem::path file_;
   bool is_slice_by_slice_;
-  Bytes slices_;                           // as stored: one, or all
-  std::array<std::ptrdiff_t, 3> steps_{};  // in them, from a voxel to the next along x, y and z
-  std::ptrdiff_t first_ = 0;               // voxel (0, 0, 0)
+  Bytes slices_;                           // as stored: one slice, or all
+  std::array<std::ptrdiff_t, 3> steps_{};  // between neighbours along x, y and z in slices_
+  std::ptrdiff_t first_ = 0;               // index of voxel (0, 0, 0)
   std::uint32_t next_ = 0;
 };
 

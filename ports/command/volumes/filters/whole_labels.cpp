@@ -43,14 +43,14 @@ class WholeLabels final : public VolumeFilter {
   }
 
  private:
-  // Neighbours are mostly alike.
+  // Returns the label again; neighbours mostly have one label.
   std::int64_t again(std::int64_t label) {
     if (was_rounded_) ++rounded_;
     return label;
   }
 
   std::int64_t label_of(double value) {
-    constexpr double noticed = 1e-9;  // less is the rounding of slope and intercept
+    constexpr double noticed = 1e-9;  // smaller differences are rounding of slope and intercept
     was_rounded_ = false;
     if (std::isnan(value)) {
       ++not_numbers_;
@@ -85,9 +85,9 @@ class WholeLabels final : public VolumeFilter {
 
   std::filesystem::path file_;
   std::vector<std::uint8_t> slice_;
-  std::uint32_t slices_ = 0;  // read so far
+  std::uint32_t slices_ = 0;  // number of slices read
   std::uint64_t rounded_ = 0, not_numbers_ = 0;
-  bool was_rounded_ = false;  // the last value
+  bool was_rounded_ = false;  // of the last value
   double max_off_ = 0, farthest_ = 0;
 };
 

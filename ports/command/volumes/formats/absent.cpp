@@ -1,4 +1,4 @@
-// In place of the readers that were built without their libraries.
+// Replaces readers in builds without their libraries.
 #include <utility>
 
 #include "volumes/formats/pictures/picture_file.hpp"

@@ -1,5 +1,4 @@
-// Gaussian cube, https://gaussian.com/cubegen/: numbers as text, of which those along z follow each
-// other.
+// Gaussian cube, https://gaussian.com/cubegen/: numbers as text, with z fastest.
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -14,7 +13,7 @@
 namespace discmc::command {
 namespace {
 
-// A count, and three numbers behind it.
+// A count, and the three numbers behind it.
 struct CountedVector {
   std::int64_t count = 0;
   std::array<double, 3> vector{};
@@ -46,7 +45,7 @@ std::unique_ptr<VolumeReader> open_cube(ByteStream stream, const VolumeOptions& 
   if (std::llabs(atoms.count) > max_atoms)
     fail(file, std::to_string(atoms.count) + " atoms are too many", "correct the header");
   stream.skip_lines(static_cast<std::uint64_t>(std::llabs(atoms.count)));
-  if (atoms.count < 0) {  // of orbitals, which are then listed
+  if (atoms.count < 0) {  // of a list of orbitals, which follows
     const std::string orbitals = stream.read_line().value_or("");
     if (words(orbitals).size() != 2)
       fail(file, "the orbitals are " + shown(orbitals), "write one orbital to a file");

@@ -1,5 +1,5 @@
-// Headerless samples that a text file beside them describes: VGStudio (.vgi), Phoenix (.pcr) and
-// Nikon (.xtekct), which scanners of industry write.
+// Headerless samples with a text file that describes them: VGStudio (.vgi), Phoenix (.pcr) and
+// Nikon (.xtekct), from industrial scanners.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -14,7 +14,7 @@
 namespace discmc::command {
 namespace {
 
-// By names in lower case. Sections repeat some, with the same value.
+// Fields by lower-case name. Some names repeat in several sections, with an equal value.
 using Fields = std::map<std::string, std::string>;
 
 Fields read_fields(ByteStream& stream) {
@@ -28,7 +28,7 @@ Fields read_fields(ByteStream& stream) {
   return fields;
 }
 
-// The names of three fields, or of one with three numbers.
+// The names of three fields, or of one field with three numbers.
 using Names = std::array<const char*, 3>;
 
 std::array<std::string, 3> three_of(Fields& fields, const Names& names) {
@@ -87,12 +87,12 @@ std::unique_ptr<VolumeReader> open_described(ByteStream stream, const VolumeOpti
     spacing_mm[i] = decimal(steps[i]).value_or(0) * unit_mm;
     has_spacing = has_spacing && spacing_mm[i] > 0;
   }
-  // Names may be those of another machine.
+  // The name may be a path on another machine.
   const std::string named = fields["name"];
   auto samples = named.empty() ? std::filesystem::path(file)
                                : beside(file, named.substr(named.find_last_of("/\\") + 1));
   if (named.empty()) samples.replace_extension(".vol");
-  // Nikon's name has no ending, but may have points.
+  // Nikon writes the name without its ending, but the name may contain points.
   if (is_nikon && lower(samples.extension().string()) != ".vol") samples += ".vol";
   std::error_code ignored;
   if (!std::filesystem::exists(samples, ignored))

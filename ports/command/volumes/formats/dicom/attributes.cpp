@@ -31,7 +31,7 @@ std::string text_of(DcmElement* element) {
 
 namespace {
 
-// Text of a character set as UTF-8. A set that is chosen within the text stays from call to call.
+// Converts text to UTF-8. A character set that the text itself chooses stays until the next choice.
 class ToUtf8 {
  public:
   explicit ToUtf8(const char* set) : converter_(iconv_open("UTF-8", set)) {}
@@ -41,7 +41,7 @@ class ToUtf8 {
     if (is_open()) iconv_close(converter_);
   }
 
-  // Returns false where the text is not of the set.
+  // Returns false if the text is not valid in the character set.
   bool add(std::string text, std::string& to) {
     if (!is_open()) return false;
     std::string converted(4 * text.size() + 1, '\0');
@@ -63,7 +63,7 @@ bool is_katakana(char c) {
   return static_cast<unsigned char>(c) > 0xA0 && static_cast<unsigned char>(c) < 0xE0;
 }
 
-// Half-width katakana (ISO IR 13) have 8 bits, which iconv's set of Japanese lacks.
+// Half-width katakana (ISO IR 13) have 8 bits, which iconv's Japanese character set lacks.
 bool add_japanese(ToUtf8& converter, std::string_view text, std::string& to) {
   while (!text.empty()) {
     if (is_katakana(text[0])) {
@@ -90,7 +90,7 @@ std::string name_in(DcmItem& dataset, DcmItem& item, const DcmTagKey& key) {
   if (!has("ISO 2022")) return utf8(text);
   const bool is_korean = has("IR 149"), is_chinese = has("IR 58");
   ToUtf8 converter(is_korean ? "EUC-KR" : is_chinese ? "GB2312" : "ISO-2022-JP-2");
-  // These announce letters of 8 bits.
+  // These escapes announce letters of 8 bits.
   for (const std::string_view announced : {"\x1b$)C", "\x1b$)A", "\x1b)I"})
     for (std::size_t at = 0; (at = text.find(announced)) != std::string::npos;)
       text.erase(at, announced.size());
@@ -101,8 +101,8 @@ std::string name_in(DcmItem& dataset, DcmItem& item, const DcmTagKey& key) {
 }
 
 std::optional<double> real_of(DcmElement* element, unsigned long index) {
-  constexpr double max_magnitude = 1e9;  // of millimetres and values
-  OFString text;                         // of binary numbers, too, with all their digits
+  constexpr double max_magnitude = 1e9;  // in millimetres and values
+  OFString text;                         // also of binary numbers, with all digits
   if (element == nullptr || element->getOFString(text, index).bad()) return std::nullopt;
   const auto value = decimal({text.data(), text.length()});
   if (!value || !(std::fabs(*value) <= max_magnitude)) return std::nullopt;

@@ -1,4 +1,4 @@
-// The values of DICOM elements: of a frame, of all frames of a file, or of the file.
+// Values of DICOM elements: of a frame, of all frames of a file, or of the file.
 #pragma once
 
 #include "toolkit.hpp"
@@ -18,16 +18,16 @@ DcmElement* element_of(DcmItem& item, const DcmTagKey& key);
 /// Returns the first item of a sequence, or nullptr.
 DcmItem* first_item(DcmItem& item, const DcmTagKey& sequence);
 
-// These read the values of an element; nullptr has none.
+// These read the values of an element, or nothing from nullptr.
 
-/// Returns the text without the blanks around it, several values with \ between them.
+/// Returns the text without surrounding blanks, and with \ between several values.
 std::string text_of(DcmElement* element);
 
-/// Returns one of the numbers, stored as text or not. Nothing where it is none, or out of all
-/// measure.
+/// Returns one of the numbers, stored as text or binary. Returns nothing for other text, and for
+/// absurdly large numbers.
 std::optional<double> real_of(DcmElement* element, unsigned long index = 0);
 
-/// Returns this many numbers, if there are at least as many.
+/// Returns this many numbers, if the element has as many or more.
 template <std::size_t count>
 std::optional<std::array<double, count>> reals_of(DcmElement* element) {
   std::array<double, count> values{};
@@ -43,8 +43,8 @@ inline std::string text_of(DcmItem& item, const DcmTagKey& key) {
   return text_of(element_of(item, key));
 }
 
-/// Returns a name as UTF-8, also from the character sets of Asia that DCMTK does not convert.
-/// dataset: that names its character set.
+/// Returns a name as UTF-8, including Asian character sets that DCMTK does not convert. dataset:
+/// declares the character set.
 std::string name_in(DcmItem& dataset, DcmItem& item, const DcmTagKey& key);
 
 inline std::optional<double> real_of(DcmItem& item, const DcmTagKey& key, unsigned long index = 0) {
@@ -59,11 +59,11 @@ class Attributes {
  public:
   Attributes(DcmItem& dataset, std::uint32_t frame);
 
-  /// Returns the element in a functional group of the frame, or of all frames, or in the file, in
-  /// this order. Null if none has it.
+  /// Returns the element from a functional group of the frame, else of all frames, else from the
+  /// file. Null if none has it.
   DcmElement* element(const DcmTagKey& group, const DcmTagKey& key) const;
 
-  /// The same, but for the file.
+  /// Likewise returns the element from the functional groups only.
   DcmElement* grouped_element(const DcmTagKey& group, const DcmTagKey& key) const;
 
  private:

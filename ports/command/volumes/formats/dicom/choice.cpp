@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-// Whole, to be copied: without what is of no UID.
+// Returns the whole UID, to be copied, without characters that no UID has.
 std::string shown_uid(const std::string& uid) {
   constexpr std::size_t max_characters = 64;
   std::string text;
@@ -38,7 +38,7 @@ std::string description(const DicomStack& stack) {
 using Stacks = std::vector<DicomStack>;
 using Places = std::vector<std::size_t>;
 
-// The end of a message. places: of those to show among the stacks, the first is 0.
+// Returns the end of a message. places: indexes of the stacks to list, from 0.
 std::string list(const Stacks& stacks, const Places& places) {
   constexpr std::size_t max_shown = 50;
   std::string text = ":";
@@ -55,12 +55,12 @@ bool have_one_series(const Stacks& stacks, const Places& places) {
   });
 }
 
-// What makes volumes of one series several.
+// Returns how the volumes of one series differ.
 std::string differences(const Stacks& stacks, const Places& places) {
   const auto frame = [&](std::size_t place) -> const DicomFrame& {
     return stacks[place].frames[0];
   };
-  // Directions are compared with that of the first frame that has one.
+  // Directions are compared with the first frame that has a direction.
   const auto placed = std::find_if(places.begin(), places.end(), [&](std::size_t place) {
     return frame(place).place.has_value();
   });
@@ -91,7 +91,7 @@ std::string differences(const Stacks& stacks, const Places& places) {
   return text;
 }
 
-// Whether all are single slices of one size: a series for each, as some programs write.
+// Whether all are single slices of one size in series of their own, as some programs write them.
 bool are_slices_of_series(const Stacks& stacks, const Places& places) {
   return std::all_of(places.begin(), places.end(), [&](std::size_t place) {
     const DicomImage& image = stacks[place].image();
@@ -101,7 +101,8 @@ bool are_slices_of_series(const Stacks& stacks, const Places& places) {
   });
 }
 
-// Whether they continue each other along one normal, as where the distance of slices changes.
+// Whether the stacks continue each other along one normal, for example if the slice distance
+// changes.
 bool lie_one_after_another(const Stacks& stacks, const Places& places) {
   std::vector<std::pair<double, double>> extents;
   for (const std::size_t place : places) {
@@ -111,11 +112,11 @@ bool lie_one_after_another(const Stacks& stacks, const Places& places) {
   }
   std::sort(extents.begin(), extents.end());
   return std::is_sorted(extents.begin(), extents.end(), [](const auto& a, const auto& b) {
-    return a.first < b.second;  // whether a begins before b has ended
+    return a.first < b.second;  // whether b begins before a ends
   });
 }
 
-// Whether they are slices whose positions were never set.
+// Whether the slices all have the default position.
 bool have_one_position(const Stacks& stacks, const Places& places) {
   const auto& first = stacks[places[0]].frames[0].place;
   return are_slices_of_series(stacks, places) &&

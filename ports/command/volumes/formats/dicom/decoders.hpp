@@ -1,5 +1,5 @@
-// Pixels that are packed: JPEG and JPEG-LS by DCMTK, JPEG 2000 by OpenJPEG, RLE (DICOM PS3.5, annex
-// G) by neither. DCMTK 3.6.7 reads beyond a fragment of RLE if its header asks for that.
+// Decoders of packed pixels: DCMTK for JPEG and JPEG-LS, OpenJPEG for JPEG 2000, own code for RLE
+// (DICOM PS3.5, annex G). DCMTK 3.6.7 can read beyond a fragment of RLE.
 #pragma once
 
 #include <cstddef>
@@ -13,37 +13,37 @@ class DcmPixelSequence;
 
 namespace discmc::command {
 
-/// The size of a picture of one component. Units: samples, and bytes of a sample: 1, 2 or 4.
+/// The size of a picture of one component. Units: samples; bytes per sample: 1, 2 or 4.
 struct PictureSize {
   std::uint32_t columns, rows, sample_bytes;
 };
 
 /// Decodes a frame of a data set into samples in native byte order. Size: of samples, that of the
-/// picture. Returns what is wrong, empty if nothing.
+/// picture. Returns what is wrong; empty if nothing.
 std::string decode_jpeg(const std::vector<std::uint8_t>& bytes, PictureSize size,
                         DcmDataset& dataset, unsigned char* samples);
 
-/// Decodes a code stream into samples in native byte order, cut to their bytes.
-/// Size: of samples, that of the picture. Returns what is wrong, empty if nothing.
+/// Decodes a code stream into samples in native byte order, cut to their bytes. Size: of samples,
+/// that of the picture. Returns what is wrong; empty if nothing.
 std::string decode_jpeg2000(const std::vector<std::uint8_t>& bytes, PictureSize size,
                             unsigned char* samples);
 
 /// Decodes a frame into samples in native byte order. Size: of samples, that of the picture.
-/// Returns what is wrong, empty if nothing.
+/// Returns what is wrong; empty if nothing.
 std::string decode_rle(const std::vector<std::uint8_t>& bytes, PictureSize size,
                        unsigned char* samples);
 
-/// The fragments of compressed pixel data, and the frame that each belongs to. Lists them once:
-/// DCMTK counts from the first fragment each time that one is asked for.
+/// The fragments of compressed pixel data, and the frame of each. Lists them once, because DCMTK
+/// counts from the first fragment at every access.
 class DicomFragments {
  public:
-  /// Owner of the sequence: the file, which stays open. frames: as the header counts.
+  /// Owner of the sequence: the file, which stays open. frames: the number in the header.
   DicomFragments(DcmPixelSequence& sequence, std::uint32_t frames);
 
-  /// Reads all fragments of a frame into bytes. Returns what is wrong, empty if nothing.
+  /// Reads all fragments of a frame into bytes. Returns what is wrong; empty if nothing.
   std::string read(std::uint32_t frame, std::vector<std::uint8_t>& bytes);
 
-  /// Frames beyond those that the header counts, if offsets are missing.
+  /// Returns the number of frames beyond the header's count, if offsets are missing.
   std::size_t left_out() const { return left_out_; }
 
  private:
@@ -51,8 +51,8 @@ class DicomFragments {
   void set_starts_by_jpeg(std::uint32_t frames);
   const std::uint8_t* content(std::size_t fragment);
 
-  std::vector<DcmPixelItem*> items_;  ///< the first is the table of offsets
-  std::vector<std::size_t> starts_;   ///< of frames, in items_, and the end; empty if unknown
+  std::vector<DcmPixelItem*> items_;  ///< the first item is the table of offsets
+  std::vector<std::size_t> starts_;   ///< in items_, per frame, and the end; empty: unknown
   std::size_t left_out_ = 0;
 };
 

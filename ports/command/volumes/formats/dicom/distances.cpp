@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-constexpr double same_mm = 1e-6;  // of sums of decimals
+constexpr double same_mm = 1e-6;  // rounding of sums of decimals
 
 std::vector<double> distances_of(const std::vector<double>& along) {
   std::vector<double> distances;
@@ -22,7 +22,7 @@ struct Ends {
   double low = 0, high = 0;
 };
 
-// Where number 0 lies by each of the slices.
+// Returns the range of positions of number 0, by each of the slices.
 Ends firsts(const std::vector<double>& along, const std::vector<std::uint64_t>& numbers,
             double step) {
   Ends ends{along[0], along[0]};
@@ -38,7 +38,7 @@ Ends firsts(const std::vector<double>& along, const std::vector<std::uint64_t>& 
 
 std::optional<EvenSlices> slices_by_step(const std::vector<double>& along, double step,
                                          double rounding) {
-  constexpr double max_share = 0.25;  // of a step, lest a slice be taken for its neighbour
+  constexpr double max_share = 0.25;  // of a step; beyond, a slice could be its neighbour
   if (!(step > 0) || rounding > max_share * step) return std::nullopt;
   EvenSlices slices{along[0], step, {0}};
   for (std::size_t i = 1; i < along.size(); ++i) {
@@ -61,7 +61,7 @@ double best_step(const std::vector<double>& along) {
     const Ends ends = firsts(along, numbers, step);
     return ends.high - ends.low;
   };
-  // It has one minimum between the smallest and the largest distance.
+  // The function has one minimum between the smallest and the largest distance.
   const std::vector<double> distances = distances_of(along);
   const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
   double low = *least, high = *most;
@@ -102,7 +102,7 @@ std::optional<EvenSlices> slices_by_distances(const std::vector<double>& along, 
   const auto is_even = [median = *middle, tolerance](double distance) {
     return std::fabs(distance - median) <= tolerance * median;
   };
-  // The mean of them, as what is rounded adds up over a gap.
+  // Takes the mean of even distances, because rounding adds up over a gap.
   const auto uneven = std::partition(sorted.begin(), sorted.end(), is_even);
   const double step = std::accumulate(sorted.begin(), uneven, 0.0) /
                       static_cast<double>(std::distance(sorted.begin(), uneven));

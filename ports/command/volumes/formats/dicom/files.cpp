@@ -19,12 +19,12 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// Hidden files of macOS, beside files of the same names, and of git annex hold no images.
+// Hidden files of macOS and git annex may have names of images, but hold none.
 bool is_hidden(const Path& file) {
   return file.filename().native().rfind('.', 0) == 0;
 }
 
-// Calls with every entry of a folder and of the folders in it, but for hidden ones.
+// Calls `call` with each entry of a folder and its subfolders, except hidden ones.
 template <class Call>
 void for_each_entry(const Path& folder, Call call) {
   using Iterator = std::filesystem::recursive_directory_iterator;
@@ -51,10 +51,10 @@ bool is_dicom(const std::filesystem::path& file) {
   return is_dicom_head(head) || has_dicom_name(file);
 }
 
-// An element at the beginning of some bytes, low byte first, as old files have it.
+// An element in old files without a file header, low byte first.
 struct Element {
   std::uint32_t tag;
-  std::size_t bytes;  // with its value
+  std::size_t bytes;  // size, including its value
 };
 
 std::optional<Element> element_at(std::string_view bytes) {
@@ -64,14 +64,14 @@ std::optional<Element> element_at(std::string_view bytes) {
     return static_cast<std::uint32_t>(whole_of(&bytes[at], count, false));
   };
   const auto is_letter = [bytes](std::size_t at) { return bytes[at] >= 'A' && bytes[at] <= 'Z'; };
-  // The kind of value is either two letters before a length of 16 bits, or missing.
+  // The value representation is either two letters before a 16-bit length, or missing.
   const bool is_explicit = is_letter(4) && is_letter(5);
   return Element{number(0, 2) << 16 | number(2, 2),
                  header_bytes + (is_explicit ? number(6, 2) : number(4, 4))};
 }
 
-// Elements without what comes before them in files: those that identify the image, in the order of
-// their tags.
+// Whether a file begins directly with the elements that identify the image, in the order of their
+// tags.
 bool is_bare_dataset(std::string_view head) {
   constexpr std::uint32_t group = 0x0008;
   constexpr int enough = 3;
@@ -88,10 +88,10 @@ bool is_bare_dataset(std::string_view head) {
 
 constexpr std::uint64_t unknown_end = std::numeric_limits<std::uint64_t>::max();
 
-// The items that are open at a byte, by where they end.
+// The items that are open at an offset, by their ends.
 class OpenItems {
  public:
-  /// length: as the file has it.
+  /// length: as stored in the file.
   void start(std::uint64_t content, std::uint32_t length) {
     constexpr std::uint32_t undefined = 0xffffffff;
     ends_.push_back(length == undefined ? unknown_end : content + length);
@@ -99,7 +99,7 @@ class OpenItems {
   void end() {
     if (!ends_.empty()) ends_.pop_back();
   }
-  /// Closes those that end before a byte.
+  /// Closes the items that end before an offset.
   void go_to(std::uint64_t at) {
     while (!ends_.empty() && ends_.back() <= at) ends_.pop_back();
   }
@@ -109,7 +109,7 @@ class OpenItems {
   std::vector<std::uint64_t> ends_;
 };
 
-// The last eight bytes of a file: a tag, and a length.
+// The last eight bytes read: a tag and a length.
 class Window {
  public:
   void add(std::uint8_t byte) { bytes_ = bytes_ << 8 | byte; }

@@ -1,4 +1,4 @@
-// Which files are DICOM.
+// Finds DICOM files.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@ namespace discmc::command {
 /// Units: bytes from the beginning of a file that identify it as DICOM.
 constexpr std::size_t dicom_head_bytes = 256;
 
-/// Whether a file that begins so is DICOM: with its magic, or with elements at once, as some write
-/// it.
+/// Whether the first bytes are DICOM: they have the magic number, or begin directly with elements,
+/// as some programs write them.
 bool is_dicom_head(std::string_view head);
 
-/// Whether a file is named as DICOM files are.
+/// Whether the name is usual for DICOM files.
 bool has_dicom_name(const std::filesystem::path& file);
 
-/// Returns the files of a folder and of all folders in it, by their names. Hidden files, whose
-/// names begin with a dot, are left out.
+/// Returns the files of a folder and its subfolders, ordered by name. Omits hidden files, whose
+/// names begin with a dot.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
 
-/// The same of DICOM files, packed ones too.
+/// Likewise returns only DICOM files, including packed ones.
 std::vector<std::filesystem::path> dicom_files(const std::filesystem::path& folder);
 
-/// The same of links that lead nowhere.
+/// Likewise returns only links without a target.
 std::vector<std::filesystem::path> dead_links(const std::filesystem::path& folder);
 
-/// Whether no item of a sequence is within more than `most` others. DCMTK reads every level with a
-/// call in the one around it, without a limit of its own. A small file could use up the stack. By
-/// the bytes of items alone, without regard to what is around them.
+/// Whether sequences are nested at most this deep. DCMTK reads each level by recursion without a
+/// limit, so a small file could exhaust the stack. This counts the bytes of items, without regard
+/// to their context.
 bool is_nested_within(std::uint32_t most, const std::filesystem::path& file);
 
 }  // namespace discmc::command

@@ -30,7 +30,7 @@ void DicomFragments::set_starts_by_table(std::uint32_t frames) {
   constexpr std::size_t header_bytes = 8, entry_bytes = 4;
   const std::uint8_t* const table = content(0);
   if (table == nullptr || items_[0]->getLength() != entry_bytes * frames) return;
-  std::vector<std::uint64_t> offsets = {0};  // of items_, from the second on
+  std::vector<std::uint64_t> offsets = {0};  // of items_, except the first
   for (std::size_t i = 1; i < items_.size(); ++i)
     offsets.push_back(offsets.back() + header_bytes + items_[i]->getLength());
   std::vector<std::size_t> starts;
@@ -44,7 +44,7 @@ void DicomFragments::set_starts_by_table(std::uint32_t frames) {
   starts_ = std::move(starts);
 }
 
-// JPEG has the two bytes at its start nowhere else in its samples.
+// The two bytes at the start of a JPEG picture appear nowhere else in its samples.
 void DicomFragments::set_starts_by_jpeg(std::uint32_t frames) {
   std::vector<std::size_t> starts;
   for (std::size_t i = 1; i < items_.size(); ++i) {
@@ -76,7 +76,7 @@ std::string DicomFragments::read(std::uint32_t frame, std::vector<std::uint8_t>&
     const std::uint8_t* const part = content(i);
     if (part == nullptr) return "the compressed pixel data ends early";
     bytes.insert(bytes.end(), part, part + count);
-    // Leaves it in the file again.
+    // Releases the memory of the fragment.
     items_[i]->compact();
   }
   return {};

@@ -22,8 +22,8 @@ void note_times(DcmItem& dataset, DicomImage& image) {
     image.notes.emplace_back("the frames have times (FrameTime), and are read as slices");
 }
 
-// Whether all frames have one position, and no attribute gives them several times, as some programs
-// write slices of the eye.
+// Whether all frames have one position, but no attribute repeats it on purpose. Some programs write
+// slices of the eye like this.
 bool are_in_one_place(const DicomImage& image, const std::vector<DicomFrame>& frames) {
   if (image.segments) return false;
   return std::all_of(frames.begin(), frames.end(), [&](const DicomFrame& frame) {
@@ -38,8 +38,8 @@ bool are_in_one_place(const DicomImage& image, const std::vector<DicomFrame>& fr
   });
 }
 
-// Moves frames from the place of the first, which all of them have, by steps along the normal.
-// slices: of each frame its number in the stack.
+// Moves frames from their common position by steps along the normal. slices: the slice number of
+// each frame.
 void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
                     const std::vector<std::uint32_t>& slices) {
   const DicomFrame first = frames.front();
@@ -68,8 +68,8 @@ void scale_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& fr
   image.notes.emplace_back(is_in_gray ? "values are doses in Gy" : "values are relative doses");
 }
 
-// The offsets are ways along the normal from the position of the first frame, which has 0, or z in
-// the patient's space. The latter begin with that of the position (DICOM PS3.3 C.8.8.3.2).
+// Offsets that begin with 0 are distances along the normal from the first frame. Offsets that begin
+// with the position's z are z in the patient's space (DICOM PS3.3 C.8.8.3.2).
 NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
   const auto first = real_of(dataset, DCM_GridFrameOffsetVector);
   if (!first || !frames.front().place) return {};
@@ -93,9 +93,9 @@ NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
   return {};
 }
 
-// ---- nuclear medicine: the detector defines where the frames lie ----
+// ---- nuclear medicine: the detector defines the positions of the frames ----
 
-// Slices lie in the order of SliceVector, otherwise in that of the frames.
+// Slices have the order of SliceVector, otherwise of the frames.
 std::uint32_t slice_of(DcmItem& dataset, std::uint32_t frame) {
   Uint16 number = 0;
   if (dataset.findAndGetUint16(DCM_SliceVector, number, frame).bad() || number == 0) return frame;
@@ -119,7 +119,7 @@ NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
     if (type.find('\\' + std::string(planar) + '\\') != std::string::npos)
       return {"pictures of a gamma camera, not slices (image type " + std::string(planar) + ")",
               "give the slices that were reconstructed from them (RECON TOMO)"};
-  // The sign of the distance is that of the way along the normal (PS3.3, NM Reconstruction).
+  // The sign of the distance is along the normal (PS3.3, NM Reconstruction).
   std::vector<std::uint32_t> slices;
   for (DicomFrame& frame : frames) {
     if (!frame.place) frame.place = detector_place(dataset, frame.number);

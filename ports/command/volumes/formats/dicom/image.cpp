@@ -24,7 +24,7 @@ std::optional<Vector> direction(const std::array<double, 6>& orientation, std::s
   return vector;
 }
 
-// Returns whether an element has the distances of voxels.
+// Returns whether an element has the distances between voxels.
 bool take_spacing(DcmElement* element, const char* name, DicomFrame& frame) {
   const auto spacing = reals_of<2>(element);
   if (!spacing || !((*spacing)[0] > 0 && (*spacing)[1] > 0)) return false;
@@ -49,7 +49,7 @@ void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& fra
   }
 }
 
-// Maps of parameters store the scale of their samples in a way of their own.
+// Parametric maps store the scale of their samples in attributes of their own.
 void set_scale(const Attributes& attributes, DicomFrame& frame) {
   const auto real = [&](const DcmTagKey& group, const DcmTagKey& key) {
     return real_of(attributes.element(group, key));
@@ -95,8 +95,8 @@ DicomFrame frame(DcmItem& dataset, const std::shared_ptr<const DicomImage>& imag
   return frame;
 }
 
-// The numbers without which the slices would lie elsewhere: decimals, of which some write the point
-// as a comma. Returns which of them is no number, or nothing.
+// Checks the decimals that define positions. Some programs write a decimal comma. Returns the
+// invalid one, or nothing.
 NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
   const Attributes attributes(dataset, 0);
   const std::pair<DcmTagKey, DcmTagKey> decimals[] = {
@@ -130,7 +130,7 @@ NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
   return {};
 }
 
-// Some write the value of samples with sign as one without.
+// Some programs write a signed padding value as an unsigned one.
 std::optional<std::int32_t> padding_of(DcmItem& dataset, bool is_signed) {
   DcmElement* const element = element_of(dataset, DCM_PixelPaddingValue);
   Uint16 bits = 0;
@@ -141,7 +141,7 @@ std::optional<std::int32_t> padding_of(DcmItem& dataset, bool is_signed) {
   return is_signed ? std::int32_t{static_cast<Sint16>(bits)} : std::int32_t{bits};
 }
 
-// Returns what the samples are instead of grey values, or nothing.
+// Returns the kind of samples that are not grey values, or nothing.
 NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
   const std::string photometric = text_of(dataset, DCM_PhotometricInterpretation);
   image.channels = whole_of(dataset, DCM_SamplesPerPixel).value_or(1);
@@ -186,7 +186,7 @@ bool is_ascii(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0; });
 }
 
-// The names of a series and of segments as UTF-8, where DCMTK was built with what converts them.
+// Sets up the conversion of names to UTF-8, if DCMTK supports this.
 void set_encoding(DcmDataset& dataset) {
   const bool has_names = dataset.tagExists(DCM_SegmentSequence) ||
                          dataset.tagExists(DCM_StructureSetROISequence) ||
@@ -210,7 +210,7 @@ bool is_directory(DcmFileFormat& file) {
          UID_MediaStorageDirectoryStorage;
 }
 
-// All values would be one.
+// A slope of zero would make all values equal.
 void drop_slopes_of_zero(DicomImage& image, std::vector<DicomFrame>& frames) {
   bool have_any = false;
   for (DicomFrame& frame : frames) {
@@ -222,7 +222,7 @@ void drop_slopes_of_zero(DicomImage& image, std::vector<DicomFrame>& frames) {
   if (have_any) image.notes.emplace_back("RescaleSlope is 0 and is ignored");
 }
 
-// Reads all frames. Returns why they are no slices, or nothing.
+// Reads all frames. Returns why they are not slices, or nothing.
 NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
                     std::vector<DicomFrame>& frames) {
   Sint32 count = 0;
@@ -237,7 +237,7 @@ NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
   return place_frames(dataset, *image, frames);
 }
 
-// Returns how the pixels are packed where that is not read, or nothing.
+// Returns the packing of the pixels if it is unsupported, or nothing.
 NoSlices unread_packing(DcmFileFormat& file) {
   const std::string uid = text_of(*file.getMetaInfo(), DCM_TransferSyntaxUID);
   if (uid.empty() || can_decode(uid)) return {};
@@ -260,7 +260,7 @@ NoSlices unread_packing(DcmFileFormat& file) {
           "export it without compression, or unpack it, e.g. with pydicom: dataset.decompress()"};
 }
 
-// Returns what is in the file instead of slices, or nothing.
+// Returns the content of a file without slices, or nothing.
 NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
                     std::vector<DicomFrame>& frames) {
   image->rows = whole_of(dataset, DCM_Rows).value_or(0);

@@ -1,4 +1,4 @@
-// The images of DICOM files, by their headers, and what files hold instead.
+// The image in a DICOM file by its header, or the other content of the file.
 #pragma once
 
 #include <array>
@@ -22,10 +22,10 @@ class DcmItem;
 
 namespace discmc::command {
 
-/// In the space of the patient. Units: millimetres.
+/// A vector in the space of the patient. Units: millimetres.
 using Vector = Point;
 
-/// a + factor * b.
+/// Returns a + factor * b.
 inline Vector sum(const Vector& a, double factor, const Vector& b) {
   Vector result{};
   for (std::size_t i = 0; i < 3; ++i) result[i] = a[i] + factor * b[i];
@@ -36,9 +36,9 @@ inline double length(const Vector& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
 
-/// How slices lie in the picture of a mosaic: in rows, the first at the top left.
+/// The layout of slices in the picture of a mosaic: in rows, the first slice at the top left.
 struct MosaicLayout {
-  std::uint32_t across = 1;  ///< slices side by side, and as many rows of them
+  std::uint32_t across = 1;  ///< slices per row, and the number of rows
 };
 
 struct DicomSegment {
@@ -50,15 +50,15 @@ struct DicomSegments {
   /// Whether a frame holds one segment, as bits or as fractions, or the numbers of all segments.
   enum class Kind { bits, fractions, numbers };
   Kind kind = Kind::bits;
-  /// The fraction of a whole voxel.
+  /// The fraction that means a whole voxel.
   std::uint32_t full = 1;
-  /// Whether the file declares that no voxel is of two segments.
+  /// Whether the file declares that no voxel belongs to two segments.
   bool are_disjoint = false;
-  /// By their numbers.
+  /// The segments by number.
   std::map<std::uint32_t, DicomSegment> all;
 };
 
-/// An image object: the whole of a file, with one frame or more.
+/// An image object: the whole file, with one frame or more.
 struct DicomImage {
   std::filesystem::path file;
   std::string series;    ///< SeriesInstanceUID
@@ -72,71 +72,74 @@ struct DicomImage {
   /// The extents of a slice.
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  /// The samples of a voxel, side by side: 3 of colours. Planar: those of a channel side by side.
+  /// The samples of a voxel: 3 for colours. Planar: each channel is stored on its own.
   std::uint32_t channels = 1;
   bool is_planar = false;
   /// The type of a sample, as wide as it is stored.
   SampleType type = SampleType::u8;
-  /// The bits of a whole number, and the place of the highest. Limit: those of the type.
+  /// The number of bits of a whole number, and the position of its highest bit. Limit: within the
+  /// type.
   std::uint32_t bits = 8;
   std::uint32_t high_bit = 7;
-  /// Whether a sample is one bit, eight of them in a byte; the type is then u8.
+  /// Whether eight one-bit samples share a byte; the type is then u8.
   bool is_of_bits = false;
-  /// For a picture of several slices, each of which is then a frame.
+  /// The layout of a mosaic, whose slices become frames.
   std::optional<MosaicLayout> mosaic;
   /// The segments of a segmentation.
   std::optional<DicomSegments> segments;
   /// Whether low values are bright: MONOCHROME1.
   bool is_inverted = false;
-  /// The sample where nothing was scanned: PixelPaddingValue.
+  /// PixelPaddingValue: the sample for places that were not scanned.
   std::optional<std::int32_t> padding;
-  /// How the pixel data is compressed; empty if it is not.
+  /// The compression of the pixel data; empty if there is none.
   std::string compression;
-  /// What the reader assumed, for the user.
+  /// Assumptions of the reader, for the user.
   std::vector<std::string> notes;
 };
 
-/// Units: bytes of a picture as it is stored, decompressed; of a mosaic that is all of it.
+/// Returns the decompressed size of a stored picture; for a mosaic, of the whole mosaic. Units:
+/// bytes.
 std::uint64_t picture_bytes(const DicomImage& image);
 
-/// Where a frame lies in the patient. Units: millimetres; directions of length 1.
+/// The position of a frame in the patient. Units: millimetres; directions have length 1.
 struct DicomPlace {
-  Vector position{};  ///< of the centre of the first voxel
+  Vector position{};  ///< centre of the first voxel
   Vector along_row{};
   Vector along_column{};
-  bool is_of_patient = true;  ///< otherwise in a space of the scanner, as of ultrasound
+  bool is_of_patient = true;  ///< false: in a space of the scanner, as for ultrasound
 };
 
-/// Returns the place by a position and the directions of a row and a column; nothing where one is
-/// missing or no direction.
+/// Returns the place for a position and the directions of a row and a column, or nothing if an item
+/// is missing or unusable.
 std::optional<DicomPlace> place_of(const std::optional<Vector>& position,
                                    const std::optional<std::array<double, 6>>& orientation);
 
-/// The direction across a frame, right-handed with those in it.
+/// Returns the normal of a frame, right-handed with its directions.
 Vector normal_of(const DicomPlace& place);
 
 /// A slice of a volume.
 struct DicomFrame {
   std::shared_ptr<const DicomImage> image;
-  /// In the file, from 0.
+  /// Index in the file, from 0.
   std::uint32_t number = 0;
   std::optional<DicomPlace> place;
-  /// Distances of neighbouring voxels along a row and along a column, and the name of the element
-  /// that has them. Units: millimetres, 0 if the file has none.
+  /// Distances between neighbouring voxels along a row and a column, and the name of the element
+  /// that declares them. Units: millimetres, 0 if undeclared.
   std::array<double, 2> spacing_mm{};
   const char* spacing_name = nullptr;
-  /// The declared distance of slices, which counts if there are no places, and the name of the
-  /// element that has it. Units: millimetres, 0 if the file has none.
+  /// The declared distance between slices, used if there are no positions, and the name of its
+  /// element. Units: millimetres, 0 if undeclared.
   double slice_spacing_mm = 0;
   const char* slice_spacing_name = nullptr;
   double slope = 1;
   double intercept = 0;
   DicomTraits traits;
-  /// The number of the segment, if a segmentation has a frame for each; otherwise 0.
+  /// The segment number, if each frame is of one segment; otherwise 0.
   std::uint32_t segment = 0;
 };
 
-/// What is in a file instead of slices, "a colour image", and what to do; nothing where slices are.
+/// The content of a file without slices, such as "a colour image", and the remedy; empty for
+/// slices.
 struct NoSlices {
   std::string what;
   std::string remedy = "give images of a CT, an MRI or the like, with one grey value per voxel";
@@ -144,21 +147,21 @@ struct NoSlices {
   explicit operator bool() const { return !what.empty(); }
 };
 
-/// What a file holds.
+/// The content of a file.
 struct DicomContent {
   std::vector<DicomFrame> frames;
   NoSlices instead;
-  /// Whether the file is a DICOMDIR, which lists the files of its folder.
+  /// Whether the file is a DICOMDIR, a list of files.
   bool is_directory = false;
 };
 
-/// Reads the header of a file, not its pixels. Any bytes have a content.
+/// Reads the header of a file, not its pixels. Accepts any bytes.
 DicomContent dicom_content(const std::filesystem::path& file);
 
-/// Names the format of a file by its first bytes if it is another than DICOM; otherwise nothing.
+/// Names the format of a file that is not DICOM by its first bytes; otherwise returns nothing.
 NoSlices foreign_content(const std::filesystem::path& file);
 
-/// Names what a data set without an image is.
+/// Names the content of a data set without an image.
 NoSlices without_image(DcmItem& dataset);
 
 }  // namespace discmc::command

@@ -24,7 +24,7 @@ bool is_frame_header(std::uint8_t marker) {
                                   marker != reserved && marker != arithmetic_tables);
 }
 
-// Nothing if samples come before a header, or none is whole.
+// Returns nothing if samples precede a header, or if no header is complete.
 std::optional<Header> header(const std::vector<std::uint8_t>& bytes) {
   const auto number = [&bytes](std::size_t at) {
     return static_cast<std::uint32_t>(bytes[at] << 8 | bytes[at + 1]);
@@ -37,7 +37,7 @@ std::optional<Header> header(const std::vector<std::uint8_t>& bytes) {
     if (marker == start_of_samples) break;
     if (is_frame_header(marker))
       return Header{bytes[at + 9], {number(at + 7), number(at + 5), (bytes[at + 4] + 7U) / 8}};
-    // Before a marker there may be more of its first byte.
+    // A marker may be preceded by fill bytes equal to its first byte.
     at += marker == 0xff ? 1 : 2 + number(at + 2);
   }
   return std::nullopt;
@@ -48,7 +48,7 @@ std::string text(PictureSize size) {
          std::to_string(8 * size.sample_bytes) + " bits";
 }
 
-// DCMTK compares only JPEG-LS with the size, and leaves what a smaller picture lacks.
+// DCMTK compares the size only for JPEG-LS, and leaves the rest of a smaller picture unset.
 std::string mismatch(const std::vector<std::uint8_t>& bytes, PictureSize size) {
   const std::optional<Header> found = header(bytes);
   if (!found) return "the JPEG data has no header";
@@ -60,7 +60,7 @@ std::string mismatch(const std::vector<std::uint8_t>& bytes, PictureSize size) {
   return {};
 }
 
-// The only fragment of a frame, after an empty table of offsets.
+// Inserts the only fragment of a frame, after an empty table of offsets.
 void insert(DcmPixelSequence& sequence, const std::vector<std::uint8_t>& bytes) {
   sequence.insert(new DcmPixelItem(DCM_PixelItemTag));
   auto* const fragment = new DcmPixelItem(DCM_PixelItemTag);
@@ -79,7 +79,7 @@ std::string decode_jpeg(const std::vector<std::uint8_t>& bytes, PictureSize size
     return "the JPEG picture has " + std::to_string(count) + " bytes; at most 4 GiB are supported";
   DcmPixelSequence sequence(DCM_PixelSequenceTag);
   insert(sequence, bytes);
-  // As the last frame it extends to the last fragment.
+  // Decodes the picture as the last frame, which extends to the last fragment.
   const Uint32 last = frame_count(dataset) - 1;
   Uint32 fragment = 1;
   OFString color_model;

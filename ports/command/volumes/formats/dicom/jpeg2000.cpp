@@ -51,7 +51,7 @@ Stream stream_of(Input& input) {
   return stream;
 }
 
-// Some write the boxes of a .jp2 file around the code stream.
+// Some programs write the boxes of a .jp2 file around the code stream.
 OPJ_CODEC_FORMAT format(const std::vector<std::uint8_t>& bytes) {
   constexpr std::uint8_t start_of_code_stream[] = {0xff, 0x4f};
   const bool is_bare =
@@ -88,7 +88,7 @@ std::string decode_jpeg2000(const std::vector<std::uint8_t>& bytes, PictureSize 
       opj_read_header(stream.get(), codec.get(), &header) == OPJ_FALSE)
     return "the JPEG 2000 header is damaged";
   const Image image(header, &opj_image_destroy);
-  // Before anything of that size is allocated.
+  // Checks the size before OpenJPEG allocates the picture.
   if (image->numcomps < 1 || !is_of_size(*image, size))
     return "the JPEG 2000 picture has another size than the header";
   if (opj_decode(codec.get(), stream.get(), image.get()) == OPJ_FALSE ||

@@ -20,7 +20,7 @@ namespace {
 // The values of each element, as text without blanks.
 using CsaHeader = std::map<std::string, std::vector<std::string>>;
 
-// Takes little-endian numbers and texts off the front, nothing behind the end.
+// Removes little-endian numbers and texts from the front; returns nothing beyond the end.
 class Taker {
  public:
   explicit Taker(std::string_view bytes) : left_(bytes) {}
@@ -48,7 +48,7 @@ std::string text(std::string_view padded) {
 
 struct Element {
   std::string name;
-  std::uint32_t values = 0;  ///< the others of its items are empty
+  std::uint32_t values = 0;  ///< number of values; further items are empty
   std::uint32_t items = 0;
 };
 
@@ -62,8 +62,8 @@ std::optional<Element> take_element(Taker& taker) {
   return Element{text(*name), *values, *items};
 }
 
-// The second of four numbers before an item is its length. In the older kind it is the first, which
-// counts the items of the first element in.
+// Four numbers precede an item. In the newer kind, the second is the length of the item. In the
+// older kind, the first is this length plus an excess, the item count of the first element.
 std::optional<std::string_view> take_item(Taker& taker, bool is_newer, std::uint32_t excess) {
   const auto first = taker.number();
   const auto second = taker.number();
@@ -76,8 +76,8 @@ std::optional<std::string_view> take_item(Taker& taker, bool is_newer, std::uint
   return item;
 }
 
-// Reads a CSA image header, of the newer kind (SV10) or the older. Any bytes have a content: what
-// is before the first damage.
+// Reads a CSA image header, of the newer kind (SV10) or the older one. Accepts any bytes, and
+// returns what precedes the first damage.
 CsaHeader read_csa_header(std::string_view bytes) {
   constexpr std::uint32_t max_elements = 1000;
   const bool is_newer = bytes.substr(0, 4) == "SV10";
@@ -100,7 +100,7 @@ CsaHeader read_csa_header(std::string_view bytes) {
   return header;
 }
 
-// The element of a private block, wherever the file has put the block.
+// Returns the element of a private block, wherever the file has put the block.
 DcmTagKey private_key(DcmItem& dataset, Uint16 group, const std::string& creator, Uint16 element) {
   for (DcmObject* each = dataset.nextInContainer(nullptr); each != nullptr;
        each = dataset.nextInContainer(each)) {
@@ -149,7 +149,7 @@ bool is_united_imaging_grid(DcmItem& dataset) {
   return count.value_or(0) > 1;
 }
 
-// The slices of a mosaic, whose one frame has the position of all of it.
+// Returns the slices of a mosaic; the mosaic's position is in its single frame.
 std::vector<DicomFrame> slices_of(const DicomFrame& mosaic, const DicomImage& image,
                                   std::uint32_t slices, const Vector& step) {
   const double aside = (image.mosaic->across - 1) / 2.0;  // in slices
@@ -205,7 +205,7 @@ NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
   image.rows /= across;
   Vector step = normal_of(*first.place);
   const double along = dot(step, towards);
-  constexpr double min_cosine = 0.5;  // of the cosine: it is a normal
+  constexpr double min_cosine = 0.5;  // SliceNormalVector is the normal, up to its sign
   if (!(std::fabs(along) > min_cosine))
     return {called + " whose SliceNormalVector is not a normal", remedy};
   for (double& component : step) component *= std::copysign(first.slice_spacing_mm, along);

@@ -92,10 +92,10 @@ bool have_one_place(const Frames& stack) {
 // ---- the volume ----
 
 void set_values(VolumeInfo& info, const Path& source, const Frames& stack) {
-  // Throws where one is of no use.
+  // Throws if any scale is unusable.
   for (const DicomFrame& frame : stack) set_scale(info, source, frame.slope, frame.intercept);
   info.type = stack[0].image->type;
-  // The values of CT that are not shifted may be of any unit.
+  // CT values without an intercept may have any unit.
   info.is_in_hounsfield = stack[0].image->modality == "CT" && info.intercept < 0;
   if (have_one_scale(stack)) {
     const DicomImage& image = *stack[0].image;

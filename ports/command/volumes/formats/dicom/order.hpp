@@ -1,4 +1,4 @@
-// The slices of a DICOM volume in their order, and where they lie.
+// Orders the slices of a DICOM volume, and finds their positions.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace discmc::command {
 
-/// The place of a first slice, and the way to the next one.
+/// The place of the first slice, and the step to the next one.
 struct SliceLine {
   Vector origin{};
   Vector step{};
@@ -23,75 +23,74 @@ struct SliceLine {
 /// Whether two frames have the same pixels.
 using SamePixels = std::function<bool(const DicomFrame&, const DicomFrame&)>;
 
-/// Takes spacing and placement of slices that are alike, with notes of what is missing. Without a
-/// line they lie in no space.
+/// Sets spacing and placement for slices of one kind, and notes missing items. Without a line, the
+/// volume has no placement.
 void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::optional<SliceLine>& line,
                     const VolumeOptions& options);
 
-/// Throws VolumeError unless the voxels of all frames are as far apart.
+/// Throws VolumeError unless all frames have one voxel spacing.
 void require_one_spacing(const std::filesystem::path& source, const std::vector<DicomFrame>& stack);
 
-/// Whether one slope and intercept is of all frames.
+/// Whether all frames share one slope and intercept.
 bool have_one_scale(const std::vector<DicomFrame>& stack);
 
-/// Orders the frames by position, each position once, or as the options ask. Adds to the info what
-/// volume they are. Throws VolumeError where slices are missing and gaps are not allowed, are not
-/// as far from each other everywhere, or not on one line.
+/// Orders the frames by position, each position once, or as the options ask. Describes the volume
+/// in the info. Throws VolumeError if slices are missing and gaps are not allowed, or if slices are
+/// uneven or not on one line.
 void order_stack(const std::filesystem::path& source, std::vector<DicomFrame>& stack,
                  const SamePixels& same_pixels, const VolumeOptions& options, VolumeInfo& info);
 
-/// Puts frames with places in the order of these, each place once, and fills gaps if that is
-/// allowed. Adds to the notes what was assumed. Throws VolumeError where slices are missing
-/// otherwise, are not as far from each other everywhere, or not on one line.
+/// Orders frames with places by position, each position once, and fills gaps if allowed. Notes
+/// assumptions. Throws VolumeError if slices are missing otherwise, or if slices are uneven or not
+/// on one line.
 SliceLine order_by_position(const std::filesystem::path& source, VolumeInfo& info,
                             std::vector<DicomFrame>& stack, const SamePixels& same_pixels,
                             bool allow_gaps);
 
-/// Fills the places of slices whose numbers are left out, with a note, or refuses them.
-/// places: of each slice, for people.
+/// Fills missing slice numbers, with a note, or refuses them. places: of each slice, for people.
 void fill_missing(const std::filesystem::path& source, VolumeInfo& info,
                   std::vector<DicomFrame>& stack, const std::vector<std::uint64_t>& numbers,
                   const std::vector<std::string>& places, bool allow_gaps);
 
-/// Slices one step from each other. Units: millimetres along the normal.
+/// Evenly spaced slices. Units: millimetres along the normal.
 struct EvenSlices {
-  double first = 0;  ///< where number 0 lies
+  double first = 0;  ///< position of number 0
   double step = 0;
-  /// The number of every slice, from 0; an omitted number is a missing slice.
+  /// The number of each slice, from 0; an unused number is a missing slice.
   std::vector<std::uint64_t> numbers;
 };
 
-/// Returns the way to the next slice: along the normal, or aside, too, as with a tilted gantry;
-/// then it is noted. Throws VolumeError where the slices are not on one line.
+/// Returns the step to the next slice: along the normal, or also sideways for a tilted gantry, with
+/// a note. Throws VolumeError if the slices are not on one line.
 Vector slice_step(const std::filesystem::path& source, VolumeInfo& info,
                   const std::vector<DicomFrame>& stack, const EvenSlices& slices);
 
-/// Returns even slices with a step, each not farther than `rounding` from where it should be;
-/// nothing where there are none. along: of every slice, growing. Limit: one slice or more.
+/// Returns even slices with this step, each at most `rounding` away from its ideal position, or
+/// nothing. along: position of each slice, ascending. Limit: at least one slice.
 std::optional<EvenSlices> slices_by_step(const std::vector<double>& along, double step,
                                          double rounding);
 
-/// The step with which no slice is far from where it should be, if none is missing.
+/// Returns the step that minimises the largest deviation, assuming that no slice is missing.
 double best_step(const std::vector<double>& along);
 
-/// How far the farthest slice is from where it should be.
+/// Returns the largest deviation of a slice from its ideal position.
 double farthest_off(const std::vector<double>& along, const EvenSlices& slices);
 
-/// Half of the last decimal place of numbers that are all rounded to tenths, hundredths or
+/// Returns half of the last decimal place if all numbers are rounded to tenths, hundredths or
 /// thousandths; otherwise 0.
 double half_a_decimal(const std::vector<double>& numbers);
 
-/// Distances that differ by this share of them are the same.
+/// Distances that differ by at most this share are equal.
 constexpr double same_distance = 0.02;
 
-/// A distance that is no multiple of the others.
+/// A distance that is not a multiple of the others.
 struct OddDistance {
   double step = 0;
-  std::size_t slice = 0;  ///< the one before it
+  std::size_t slice = 0;  ///< the slice before the distance
 };
 
-/// Returns even slices by their distances alone, each of which is a step, or several where slices
-/// are missing. tolerance: as a share of it. odd: where there are none, why.
+/// Returns even slices by their distances alone, each of which is a step, or several if slices are
+/// missing. tolerance: as a share of the step. odd: the reason if there are none.
 std::optional<EvenSlices> slices_by_distances(const std::vector<double>& along, double tolerance,
                                               OddDistance& odd);
 

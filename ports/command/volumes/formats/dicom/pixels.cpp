@@ -13,7 +13,7 @@
 
 namespace discmc::command {
 
-// A picture in a file: of a mosaic the only one, otherwise one a frame.
+// A picture in a file: the only picture of a mosaic, otherwise one per frame.
 struct StoredPicture {
   const DicomImage& image;
   std::uint32_t number;
@@ -41,7 +41,7 @@ DcmElement& pixel_element(DcmDataset& dataset, const StoredPicture& picture) {
   return *element;
 }
 
-// For a mosaic, the extents of all of it.
+// Returns the extents of a picture; for a mosaic, of the whole mosaic.
 PictureSize stored_size(const DicomImage& image) {
   const std::uint32_t across = image.mosaic ? image.mosaic->across : 1;
   return {across * image.columns, across * image.rows,
@@ -61,8 +61,9 @@ DicomFragments fragments(DcmDataset& dataset, DcmElement& element, const StoredP
   return {*sequence, frame_count(dataset)};
 }
 
-// DCMTK puts the bytes of 16 bits in native order. The words of longer samples in big-endian files
-// are then in the wrong order, and all bytes in files that declare them as bytes.
+// DCMTK puts each 16-bit word into native order. In big-endian files, the words of longer samples
+// remain in the wrong order. If the file declares the samples as bytes, all their bytes remain in
+// the wrong order.
 void put_in_order(E_TransferSyntax syntax, DcmElement& element, std::size_t size,
                   unsigned char* samples, std::size_t bytes) {
   if (!DcmXfer(syntax).isBigEndian() || gLocalByteOrder == EBO_BigEndian) return;
@@ -73,7 +74,7 @@ void put_in_order(E_TransferSyntax syntax, DcmElement& element, std::size_t size
       std::swap_ranges(samples + at + low, samples + at + low + unit, samples + at + high);
 }
 
-// Leaves of every sample its bits, and its sign above them.
+// Keeps only the bits of a sample, and extends its sign above them.
 template <class Sample>
 void cut_to_bits(const DicomImage& image, unsigned char* samples, std::size_t bytes) {
   constexpr std::uint32_t width = 8 * sizeof(Sample);
@@ -85,7 +86,7 @@ void cut_to_bits(const DicomImage& image, unsigned char* samples, std::size_t by
     raw = static_cast<std::make_unsigned_t<Sample>>(raw << above);
     Sample sample{};
     std::memcpy(&sample, &raw, sizeof sample);
-    sample = static_cast<Sample>(sample >> below);  // of signed ones arithmetic
+    sample = static_cast<Sample>(sample >> below);  // arithmetic shift of signed samples
     std::memcpy(samples + at, &sample, sizeof sample);
   }
 }
@@ -168,7 +169,7 @@ void DicomPixels::decode(const StoredPicture& picture) {
   DcmElement& element = pixel_element(dataset, picture);
   const DicomImage& image = picture.image;
   const std::uint64_t bytes = picture_bytes(image);
-  // One more of bits, of which the first may be within a byte, and of what DCMTK pads.
+  // Bits may begin within a byte, and DCMTK pads to even sizes: reserves one more byte.
   decoded_.resize(std::max<std::uint64_t>(bytes + 1, std::uint64_t{image.columns} * image.rows));
   if (is_floating(image.type))
     read_bytes(element, picture, picture.number * bytes, bytes);

@@ -16,22 +16,22 @@ namespace discmc::command {
 class DicomFragments;
 struct StoredPicture;
 
-/// Reads frames, one at a time. The file of the last one stays open for the next.
+/// Reads frames, one at a time. The last file stays open for the next frame.
 class DicomPixels {
  public:
   DicomPixels();
   ~DicomPixels();
 
-  /// Writes the samples as they are stored, in native byte order. Bits beyond those of a sample,
-  /// such as overlays, are cleared, or copies of its sign. Size: of samples, that of the frame.
-  /// Throws VolumeError when they are not there or damaged.
+  /// Writes the samples as stored, in native byte order. Bits outside a sample, such as overlays,
+  /// become 0 or copies of its sign. Size: of samples, that of the frame. Throws VolumeError if
+  /// they are missing or damaged.
   void read(const DicomFrame& frame, void* samples);
 
-  /// The pictures that the file of the last frame has beyond those that its header counts.
+  /// Returns the number of pictures beyond the header's count in the last frame's file.
   std::uint64_t left_out() const { return left_out_; }
 
  private:
-  // Into decoded_, as the samples are stored.
+  // Decodes into decoded_, in the stored form.
   void decode(const StoredPicture& picture);
   void read_bytes(DcmElement& element, const StoredPicture& picture, std::uint64_t begin,
                   std::uint64_t bytes);
@@ -44,7 +44,7 @@ class DicomPixels {
   std::unique_ptr<DicomFragments> fragments_;  ///< of the open file, if it is compressed
   std::vector<std::uint8_t> compressed_;
   std::uint64_t left_out_ = 0;
-  bool is_decoded_ = false;  ///< the picture of the open file, if it is the only one
+  bool is_decoded_ = false;  ///< whether decoded_ has the only picture of the open file
   std::vector<unsigned char> decoded_;
 };
 

@@ -18,7 +18,7 @@ namespace {
 using Frames = std::vector<DicomFrame>;
 using Path = std::filesystem::path;
 
-// How far a frame lies along the normal of the stack. Units: millimetres.
+// Computes the position of a frame along the normal of the stack. Units: millimetres.
 class Along {
  public:
   explicit Along(const DicomFrame& first) : normal_(normal_of(*first.place)) {}
@@ -28,10 +28,11 @@ class Along {
   Vector normal_;
 };
 
-// Refuses slices in one place. kept: those before `frame`, with the one in its place at the end.
+// Refuses two slices at one position. kept: the frames before `frame`; the last one has its
+// position.
 [[noreturn]] void fail_in_one_place(const Path& source, const Frames& stack, const Frames& kept,
                                     const DicomFrame& frame, const Along& along) {
-  std::map<double, std::size_t> places;  // in thousandths of a millimetre
+  std::map<double, std::size_t> places;  // keyed by thousandths of a millimetre
   for (const DicomFrame& each : stack) ++places[std::round(1000 * along(each))];
   std::vector<double> twice;
   for (const auto& [place, count] : places)
@@ -48,7 +49,7 @@ class Along {
                          name_of(frame) + " away");
 }
 
-// Drops frames that are there twice. Returns how many.
+// Removes duplicate frames. Returns their number.
 std::size_t drop_duplicates(const Path& source, Frames& stack, const Along& along,
                             const SamePixels& same_pixels) {
   constexpr double same_mm = 1e-5;
@@ -69,7 +70,7 @@ std::size_t drop_duplicates(const Path& source, Frames& stack, const Along& alon
   return dropped;
 }
 
-// How far the coordinates of positions may be from the true ones, where they are rounded.
+// Returns the possible rounding error of the coordinates of positions.
 Vector rounding_of(const Frames& stack) {
   Vector rounding{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -94,7 +95,7 @@ bool are_mostly_neighbours(const std::vector<std::uint64_t>& numbers) {
   return 2 * neighbours >= numbers.size() - 1;
 }
 
-// The slices by rounded positions, with the step that the file declares if it fits.
+// Returns the slices by rounded positions, with the declared step if it fits.
 std::optional<EvenSlices> rounded_slices(const std::vector<double>& along, double declared_step,
                                          double rounding) {
   for (const double step : {declared_step, best_step(along)})
@@ -117,7 +118,7 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
   constexpr double max_jitter = 0.1;  // of a step
   if (!slices) {
     slices = slices_by_distances(along, max_jitter, odd);
-    if (slices && slices->numbers.back() + 1 != along.size()) slices.reset();  // not beside gaps
+    if (slices && slices->numbers.back() + 1 != along.size()) slices.reset();  // not with gaps
   }
   if (!slices) {
     const DicomFrame& before = stack[odd.slice];
@@ -152,9 +153,9 @@ Vector slice_step(const Path& source, VolumeInfo& info, const Frames& stack,
     const Vector way = sum(stack[i].place->position, -1, first);
     return sum(way, -dot(way, normal), normal);
   };
-  constexpr double min_mm = 0.001, share = 0.25, straight_share = 0.02;  // of a voxel
+  constexpr double min_mm = 0.001, share = 0.25, straight_share = 0.02;  // shares of a voxel
   const double voxel = std::min(stack[0].spacing_mm[0], stack[0].spacing_mm[1]);
-  // The rounding of a position, and of the two that the line goes through.
+  // The error of a position, plus the errors of the two positions that define the line.
   const double rounding = std::max(min_mm, 2 * length(rounding_of(stack)));
   const auto last = static_cast<double>(slices.numbers.back());
   const Vector shift = sum({}, 1 / last, aside(stack.size() - 1));
@@ -186,7 +187,7 @@ Vector slice_step(const Path& source, VolumeInfo& info, const Frames& stack,
                  " mm against the one before it, as by a gantry tilted by " +
                  short_number(std::atan2(length(shift), slices.step) * degrees) +
                  " degrees; the volume is sheared accordingly");
-  // The way by the positions themselves, unless they are rounded.
+  // Uses the positions themselves unless they are rounded.
   const Vector way = sum({}, 1 / last, sum(stack.back().place->position, -1, first));
   constexpr double same_mm = 1e-6;
   return std::fabs(dot(way, normal) - slices.step) < same_mm ? way : sum(straight, 1, shift);

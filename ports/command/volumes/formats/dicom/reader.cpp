@@ -1,4 +1,4 @@
-// DICOM: a file, or the files of a folder, whatever their names.
+// DICOM: a file, or the files of a folder under any names.
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -41,7 +41,7 @@ class DicomVolume final : public NumberedSlices {
                            " further frames; NumberOfFrames does not count them");
   }
 
-  // Where every slice has a scale of its own.
+  // Converts samples if every slice has its own scale.
   void read_values(const DicomFrame& frame, void* values) {
     const SampleType type = frame.image->type;
     const std::size_t count = std::size_t{info().dims[0]} * info().dims[1];
@@ -58,12 +58,12 @@ class DicomVolume final : public NumberedSlices {
   }
 
   std::vector<DicomFrame> stack_;
-  bool is_stored_;  ///< what is read is what is stored
+  bool is_stored_;  ///< whether samples are read as stored
   DicomPixels pixels_;
   std::vector<unsigned char> stored_;
 };
 
-// Small files may claim large pictures: what is decoded of a byte has a limit.
+// Limits the decoded size per byte, because small files may declare large pictures.
 void require_possible(const DicomImage& image) {
   constexpr std::uint64_t max_expansion = 16384;
   std::error_code error;
@@ -78,7 +78,7 @@ void require_possible(const DicomImage& image) {
 
 struct Found {
   std::vector<DicomFrame> frames;
-  std::vector<NoSlices> skipped;  ///< what each file is instead
+  std::vector<NoSlices> skipped;  ///< content of each file without slices
   bool is_directory = false;
 };
 
@@ -94,7 +94,7 @@ Found find_frames(const std::vector<std::filesystem::path>& files) {
   return found;
 }
 
-// Colours beside grey values are pictures of a screen, unless a channel is asked for.
+// Colour images beside grey ones are screenshots, unless the user asks for a channel.
 void choose_colours(Found& found, bool are_asked_for) {
   const auto is_asked_for = [&](const DicomFrame& frame) {
     return (frame.image->channels > 1) == are_asked_for;
@@ -118,7 +118,7 @@ bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
   return of_a == of_b && a.slope == b.slope && a.intercept == b.intercept;
 }
 
-// "a colour image (2); a video".
+// Returns a list such as "a colour image (2); a video".
 std::string list_of(const std::vector<NoSlices>& skipped) {
   constexpr std::size_t max_kinds = 8;
   std::map<std::string, std::size_t> kinds;
@@ -179,7 +179,7 @@ bool is_packed(const std::filesystem::path& file) {
   return packing_of_name(file).has_value();
 }
 
-// Unpacks those of the files that are packed into a folder, and returns where all of them are.
+// Unpacks packed files into a folder, and returns the paths of all files.
 std::vector<std::filesystem::path> unpacked_files(const std::filesystem::path& source,
                                                   std::vector<std::filesystem::path> files,
                                                   const std::filesystem::path& folder) {

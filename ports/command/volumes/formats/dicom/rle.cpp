@@ -7,7 +7,7 @@
 namespace discmc::command {
 namespace {
 
-// The number of segments, and where each of at most 15 begins.
+// The header has the number of segments, and the offsets of up to 15.
 constexpr std::size_t word_bytes = 4;
 constexpr std::size_t header_bytes = 16 * word_bytes;
 
@@ -15,14 +15,14 @@ std::uint32_t word(const std::vector<std::uint8_t>& bytes, std::size_t index) {
   return static_cast<std::uint32_t>(whole_of(&bytes[index * word_bytes], word_bytes, false));
 }
 
-// Every sample_bytes-th byte of the samples, from `byte` on: those that one segment holds.
+// The samples' bytes in one segment: every sample_bytes-th byte, from `byte` on.
 struct Plane {
   unsigned char* byte;
   std::size_t sample_bytes;
   std::size_t count;
 };
 
-// Returns what is wrong with the segment, empty if nothing.
+// Returns what is wrong with the segment; empty if nothing.
 std::string unpack(const std::uint8_t* at, const std::uint8_t* end, const Plane& plane) {
   const std::string size = std::to_string(plane.count);
   for (std::size_t done = 0; done < plane.count;) {

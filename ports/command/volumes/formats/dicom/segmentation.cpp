@@ -16,7 +16,7 @@ namespace {
 
 using Frames = std::vector<DicomFrame>;
 using Path = std::filesystem::path;
-/// The frames of every slice of the volume.
+/// The frames of each slice of the volume.
 using Slices = std::vector<std::vector<const DicomFrame*>>;
 
 const DicomSegments& segments_in(const Frames& frames) {
@@ -27,7 +27,7 @@ bool is_of_numbers(const Frames& frames) {
   return segments_in(frames).kind == DicomSegments::Kind::numbers;
 }
 
-// Reads the voxels of a frame as labels: of a segment its number.
+// Reads the voxels of a frame as labels: the number of its segment.
 class Labels {
  public:
   explicit Labels(const DicomImage& image)
@@ -35,7 +35,7 @@ class Labels {
         stored_(count_ * sample_bytes(image.type)),
         is_on_(count_) {}
 
-  /// Where the segment of a frame is: not 0. Valid until the next call.
+  /// Returns voxels, not 0 where the segment is. Valid until the next call.
   const std::uint8_t* read_segment(const DicomFrame& frame) {
     pixels_.read(frame, stored_.data());
     const std::uint32_t full = frame.image->segments->full;
@@ -48,7 +48,7 @@ class Labels {
     return is_on_.data();
   }
 
-  /// Reads the numbers of all segments, as they are stored.
+  /// Reads the numbers of all segments as stored.
   void read_numbers(const DicomFrame& frame, void* samples) { pixels_.read(frame, samples); }
 
  private:
@@ -88,11 +88,11 @@ class SegmentationVolume final : public NumberedSlices {
   }
 
   Frames frames_;
-  Slices slices_;  ///< of those
+  Slices slices_;  ///< frames of each slice
   Labels labels_;
 };
 
-// ---- where the slices are ----
+// ---- positions of slices ----
 
 std::vector<double> places_along(const Frames& frames, const Vector& normal) {
   constexpr double same_mm = 1e-3;
@@ -110,7 +110,7 @@ bool have_neighbours(const EvenSlices& slices) {
          slices.numbers.end();
 }
 
-// Slices without a segment may not be there at all, so the distances alone do not define the step.
+// Slices without a segment may be absent, so distances alone do not define the step.
 EvenSlices even_slices(const Path& source, VolumeInfo& info, const DicomFrame& first,
                        const std::vector<double>& places) {
   const double declared = std::fabs(first.slice_spacing_mm);

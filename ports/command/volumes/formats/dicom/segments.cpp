@@ -8,7 +8,7 @@
 namespace discmc::command {
 namespace {
 
-// Converts CIELab back to a share of white.
+// Converts a CIELab root to a share of white.
 double share(double root) {
   constexpr double linear_below = 6.0 / 29;
   return root > linear_below ? root * root * root
@@ -35,7 +35,7 @@ Srgb srgb_of_cielab(const std::array<std::uint16_t, 3>& encoded) {
   const double a = 255 * encoded[1] / max_component - 128;
   const double b = 255 * encoded[2] / max_component - 128;
   const double root = (lightness + 16) / 116;
-  // The white of sRGB is that of the illuminant D65.
+  // The white of sRGB is the illuminant D65.
   const double x = 0.95047 * share(root + a / 500);
   const double y = share(root);
   const double z = 1.08883 * share(root - b / 200);
@@ -66,7 +66,7 @@ void Overlaps::start_slice(std::size_t voxels) {
   slice_.assign(voxels, 0);
 }
 
-// The sets of a set of segments and one more.
+// Returns the number of a set with one more segment.
 std::uint32_t Overlaps::number_with(std::uint32_t before, std::uint32_t segment) {
   Set set = sets_[before];
   for (const std::uint32_t other : set) {
@@ -83,7 +83,7 @@ std::uint32_t Overlaps::number_with(std::uint32_t before, std::uint32_t segment)
 }
 
 void Overlaps::add(std::uint32_t segment, const std::uint8_t* voxels) {
-  std::map<std::uint32_t, std::uint32_t> with_segment;  // by the number of the set without it
+  std::map<std::uint32_t, std::uint32_t> with_segment;  // keyed by the set without it
   std::uint32_t last_before = 0;
   std::uint32_t last_after = 0;
   for (std::size_t i = 0; i < slice_.size(); ++i) {

@@ -12,7 +12,7 @@
 namespace discmc::command {
 namespace {
 
-// A frame, and the number of its place among those of all frames.
+// A frame, and the number of its position among all positions.
 struct Placed {
   const DicomFrame* frame = nullptr;
   std::size_t place = 0;
@@ -41,7 +41,7 @@ void drop_copies(Group& group) {
   group.erase(std::remove_if(group.begin(), group.end(), is_copy), group.end());
 }
 
-// How many slices lie in each place where there are any.
+// Returns the number of slices at each position that has any.
 std::vector<std::size_t> counts_of_places(const Group& group) {
   std::map<std::size_t, std::size_t> counts;
   for (const Placed& each : group) ++counts[each.place];
@@ -62,8 +62,8 @@ struct TraitOrder {
   }
 };
 
-// The groups by a trait of volumes. The trait has no more values than there are slices in a place,
-// and leaves fewer of them there. Traits of slices, such as the time of each, are none.
+// Returns the groups by a trait of volumes. Such a trait has no more values than there are slices
+// at a position, and leaves fewer slices there. Traits of slices, such as their times, do not.
 std::vector<Group> groups_of_trait(const Group& group, std::size_t most, std::size_t kind) {
   std::map<std::string, Group, TraitOrder> groups;
   for (const Placed& each : group) {
@@ -79,8 +79,9 @@ std::vector<Group> groups_of_trait(const Group& group, std::size_t most, std::si
   return result;
 }
 
-// The groups by the order of a trait: the first slice of every place is of one, and so on. None
-// where places have not as many slices each, or the trait is the same of two.
+// Returns the groups by the order of a trait: the first slices of all positions form one group, and
+// so on. Returns none if positions have different numbers of slices, or if two slices share a
+// value.
 std::vector<Group> groups_of_order(const Group& group, std::size_t kind) {
   std::map<std::size_t, std::map<std::string, Placed, TraitOrder>> places;
   for (const Placed& each : group) {

@@ -14,14 +14,14 @@ namespace {
 
 using Frames = std::vector<DicomFrame>;
 
-// What frames of one kind have in common, but for their direction. Segmentations are never joined.
+// Returns what frames of one kind share, except their direction. Segmentations are never joined.
 auto kind_of(const DicomFrame& frame, bool merges_series) {
   const DicomImage& image = *frame.image;
   return std::tuple(image.segments ? &image : nullptr, merges_series ? std::string() : image.series,
                     image.columns, image.rows, image.channels, image.type);
 }
 
-// In the order of their first frames.
+// The kinds are in the order of their first frames.
 std::vector<Frames> by_kind(const Frames& frames, bool merges_series) {
   std::vector<Frames> groups;
   std::map<decltype(kind_of(frames[0], false)), std::vector<std::size_t>> of_kind;
@@ -40,14 +40,14 @@ std::vector<Frames> by_kind(const Frames& frames, bool merges_series) {
   return groups;
 }
 
-// Whether more than two frames all differ in a trait.
+// Whether there are more than two frames, and all differ in a trait.
 bool is_of_its_own(const Frames& frames, std::size_t kind) {
   std::set<std::string> values;
   for (const DicomFrame& frame : frames) values.insert(trait_of(frame.traits, kind));
   return values.size() > 2 && values.size() == frames.size();
 }
 
-// The frames by the traits whose kinds are asked for.
+// Splits the frames by the traits of the requested kinds.
 template <class IsAsked>
 std::vector<Frames> by_traits(const Frames& frames, IsAsked is_asked) {
   std::vector<std::size_t> kinds;
@@ -65,7 +65,7 @@ std::vector<Frames> by_traits(const Frames& frames, IsAsked is_asked) {
   return result;
 }
 
-// Whether the frames lie one step from each other on one line, none of them twice.
+// Whether the frames are evenly spaced on one line, each position once.
 bool are_even(Frames frames) {
   if (frames.size() < 3 || !frames[0].place) return false;
   const Vector normal = normal_of(*frames[0].place);
@@ -84,7 +84,7 @@ bool are_even(Frames frames) {
   return slices && slices->step > 0 && slices->numbers.back() == frames.size() - 1;
 }
 
-// Stacks that are acquired in turn may be one volume.
+// Stacks acquired in turn may form one volume.
 std::vector<Frames> by_stack(const Frames& frames) {
   auto groups = by_traits(frames, is_of_stack);
   if (groups.size() > 1 && are_even(frames)) return {frames};
@@ -93,7 +93,7 @@ std::vector<Frames> by_stack(const Frames& frames) {
 
 // ---- what distinguishes stacks of one series ----
 
-// Empty where the frames have not one value.
+// Returns an empty string unless all frames share one value.
 std::string common_trait(const Frames& frames, std::size_t kind) {
   const std::string& value = trait_of(frames[0].traits, kind);
   const bool is_common = std::all_of(frames.begin(), frames.end(), [&](const DicomFrame& frame) {
@@ -104,7 +104,7 @@ std::string common_trait(const Frames& frames, std::size_t kind) {
 
 using Siblings = std::vector<DicomStack*>;
 
-// The kinds of traits in which the stacks differ, those for people only if they suffice.
+// Returns the kinds of traits that distinguish the stacks, only readable ones if they suffice.
 std::vector<std::size_t> distinguishing(const Siblings& stacks) {
   constexpr std::size_t max_listed = 3;
   std::vector<std::size_t> kinds;
@@ -119,11 +119,12 @@ std::vector<std::size_t> distinguishing(const Siblings& stacks) {
 
 std::string vector_text(const Vector& vector) {
   std::string text;
-  for (const double component : vector) text += ' ' + short_number(component + 0.0);  // never -0
+  for (const double component : vector)
+    text += ' ' + short_number(component + 0.0);  // + 0.0 avoids -0
   return text;
 }
 
-// Where the slices lie along their normal.
+// Returns the positions of the slices along their normal.
 std::string extent_of(const DicomStack& stack) {
   if (!stack.frames[0].place || stack.image().segments) return {};
   const auto [least, most] = extent_along(stack, normal_of(*stack.frames[0].place));
@@ -167,7 +168,7 @@ std::vector<SeparatedFrames> volumes_of(const Frames& frames, bool is_by_positio
 }  // namespace
 
 bool have_one_direction(const DicomFrame& a, const DicomFrame& b) {
-  constexpr double along = 1 - 1e-6;  // a twelfth of a degree
+  constexpr double along = 1 - 1e-6;  // cosine of a twelfth of a degree
   if (!a.place || !b.place) return !a.place && !b.place;
   return dot(a.place->along_row, b.place->along_row) > along &&
          dot(a.place->along_column, b.place->along_column) > along;

@@ -1,4 +1,4 @@
-// DICOM frames that make a volume, found among many, and which volume is meant.
+// Finds the volumes among many DICOM frames, and chooses one.
 #pragma once
 
 #include <cstdint>
@@ -12,60 +12,61 @@
 
 namespace discmc::command {
 
-/// Frames of one volume.
+/// The frames of one volume.
 struct DicomStack {
   std::vector<DicomFrame> frames;
-  /// What distinguishes it from others of its series, for people: ", echo time 4.6 ms".
+  /// How the stack differs from others of its series, for people: ", echo time 4.6 ms".
   std::string distinction = {};
-  /// If only an order does, not an element: "number 2 by trigger time".
+  /// Set if only an order distinguishes it, not an element: "number 2 by trigger time".
   std::string order = {};
 
   const DicomImage& image() const { return *frames[0].image; }
 };
 
-/// How to find the volumes of many frames.
+/// How to sort many frames into volumes.
 struct DicomSorting {
-  /// Whether a position is of one slice in each volume; otherwise positions are not looked at.
+  /// Whether each volume has one slice per position; otherwise positions are ignored.
   bool is_by_position = true;
-  /// Whether slices are of one volume whatever their series.
+  /// Whether one volume may have slices of several series.
   bool merges_series = false;
 };
 
-/// Returns the stacks of all frames, by the numbers of their series. A stack is of one series, of
-/// one size, sample type and direction, and of one kernel and kind of image. If slices lie in
-/// the same place, a stack holds those with the same time, echo, or another trait.
+/// Returns the stacks of all frames, ordered by series number. A stack has one series, size, sample
+/// type, direction, kernel and kind of image. If slices share a position, a stack holds slices of
+/// one time, one echo, or another trait.
 std::vector<DicomStack> dicom_stacks(const std::vector<DicomFrame>& frames,
                                      const DicomSorting& sorting);
 
-/// Whether two frames, both with a place or both without, have the same directions.
+/// Whether two frames have the same directions. Both have a place, or neither does.
 bool have_one_direction(const DicomFrame& a, const DicomFrame& b);
 
-/// Where the first and the last slice lie along a normal. Limit: all frames have places.
+/// Returns the positions of the first and the last slice along a normal. Limit: all frames have
+/// places.
 std::pair<double, double> extent_along(const DicomStack& stack, const Vector& normal);
 
-/// For messages: the name of the file, and the number of the frame in it.
+/// Returns the file's name and the frame's number, for messages.
 std::string name_of(const DicomFrame& frame);
 
-/// Frames of which no two lie in the same place, or that nothing separates.
+/// Frames without common positions, or frames that no trait separates.
 struct SeparatedFrames {
   std::vector<DicomFrame> frames;
-  /// If only an order separates them, not a trait: "number 2 by trigger time".
+  /// Set if only an order separates them, not a trait: "number 2 by trigger time".
   std::string order;
 };
 
-/// Separates frames with places and one direction. Copies of one object count once, but where all
+/// Separates frames with places and one direction. Copies of an object count once, unless all
 /// frames stay together.
 std::vector<SeparatedFrames> separated(const std::vector<DicomFrame>& frames);
 
-/// A stack, and of how many that the choice of the series leaves.
+/// A stack, and the number of stacks in the chosen series.
 struct ChosenStack {
   const DicomStack* stack = nullptr;
   std::uint64_t among = 1;
 };
 
-/// Returns the stack of the series, given by its UID or by its place in the list, from 1; the only
-/// stack also without it. The frame chooses one of several in a series; the first is 0. Throws
-/// VolumeError, with the list, where none is meant or several are.
+/// Returns the stack of the series, given by its UID or its number in the list, from 1; a single
+/// stack needs no choice. The frame, from 0, chooses one of several in a series. Throws
+/// VolumeError, with the list, if the choice fits no stack or several.
 ChosenStack chosen_stack(const std::filesystem::path& source, const std::vector<DicomStack>& stacks,
                          const VolumeOptions& options);
 

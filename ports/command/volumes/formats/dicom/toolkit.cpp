@@ -16,10 +16,10 @@ void set_up() {
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   DJDecoderRegistration::registerCodecs();
   DJLSDecoderRegistration::registerCodecs();
-  dcmEnableUnknownVRConversion.set(OFTrue);  // PS3.5 6.2.2: of UN, that of the dictionary
+  dcmEnableUnknownVRConversion.set(OFTrue);  // PS3.5 6.2.2: UN gets its type from the dictionary
 }
 
-// What is deflated is not seen by is_nested_within().
+// is_nested_within() cannot read a deflated file.
 bool is_deflated(const std::filesystem::path& file) {
   DcmFileFormat header;
   if (header.loadFile(file.c_str(), EXS_Unknown, EGL_noChange, 0, ERM_metaOnly).bad()) return false;
@@ -28,7 +28,7 @@ bool is_deflated(const std::filesystem::path& file) {
   return DcmXfer(syntax.c_str()).getStreamCompression() != ESC_none;
 }
 
-// Each in the newer way where DCMTK has it: an int is preferred as an argument for an int.
+// Calls the newer form if DCMTK has one: overload resolution prefers an int argument.
 template <class Syntax>
 auto has_fragments(const Syntax& syntax, int) -> decltype(syntax.usesEncapsulatedFormat()) {
   return syntax.usesEncapsulatedFormat();
@@ -74,7 +74,7 @@ bool is_decoded_here(E_TransferSyntax syntax) {
 }
 
 bool can_decode(const std::string& transfer_syntax) {
-  // JPIP: the pixels are on a server. DCMTK supports the last two since 3.6.8.
+  // JPIP keeps the pixels on a server. DCMTK supports the last two since 3.6.8.
   for (const char* const number : {"94", "95", "204", "205"})
     if (transfer_syntax == std::string("1.2.840.10008.1.2.4.") + number) return false;
   const E_TransferSyntax syntax = DcmXfer(transfer_syntax.c_str()).getXfer();
@@ -98,7 +98,7 @@ std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file
   };
   auto opened = load();
   if (opened && opened->getDataset()->tagExists(DCM_SOPClassUID)) return opened;
-  // The header may be wrong about the byte order, or whether kinds of values are stored.
+  // The header may be wrong about the byte order, or about explicit value representations.
   dcmAutoDetectDatasetXfer.set(OFTrue);
   auto by_content = load();
   dcmAutoDetectDatasetXfer.set(OFFalse);

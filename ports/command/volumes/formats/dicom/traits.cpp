@@ -13,9 +13,9 @@ namespace {
 enum class Form {
   text,
   number,
-  vector,      ///< a value for each frame, as of nuclear medicine
-  image_type,  ///< from its third value on: the first two may differ between slices of a volume
-  gradient,    ///< in a sequence of its own
+  vector,      ///< one value per frame, as in nuclear medicine
+  image_type,  ///< from the third value on; the first two may differ within a volume
+  gradient,    ///< in its own sequence
   uid
 };
 
@@ -24,7 +24,7 @@ struct Kind {
   const char* unit;
   Form form;
   enum class Use { volume, stack, part, programs } use;
-  DcmTagKey group;  ///< the functional group of files of many frames
+  DcmTagKey group;  ///< the functional group in files of many frames
   DcmTagKey key;
 };
 
@@ -32,7 +32,7 @@ const DcmTagKey none = DCM_UndefinedTagKey;
 constexpr auto volume = Kind::Use::volume, stack = Kind::Use::stack, part = Kind::Use::part,
                programs = Kind::Use::programs;
 
-// In the order in which they separate volumes.
+// The kinds in the order in which they separate volumes.
 const Kind kinds[] = {
     {"patient", "", Form::text, volume, none, DCM_PatientID},
     {"study", "", Form::uid, volume, none, DCM_StudyInstanceUID},
