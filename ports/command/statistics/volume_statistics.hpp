@@ -46,8 +46,8 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
 double percentile(const VolumeStatistics& statistics, double percent);
 
 /// Returns the value of places that were not scanned, outside the circle that CT reconstructs. This
-/// is the declared value, if it occurs. Otherwise it is the least value if that is at most -1000,
-/// and either all others are far above or most values of air equal it.
+/// is the declared value, if it occurs. Otherwise the least value, at most -1000, is padding if all
+/// others are far above or most values of air equal it.
 std::optional<double> padding_value(const VolumeStatistics& statistics);
 
 /// Returns Otsu's threshold, computed without padding_value(). It divides the values into the two

@@ -10,29 +10,28 @@
 
 namespace discmc::command {
 
-/// The most slices that a gap may miss.
+/// The largest number of missing slices in a gap.
 constexpr std::uint64_t max_missing = 1000000000;
 
 /// A place where slices are missing.
 struct Gap {
-  /// The slice before it, the first is 0.
+  /// The index of the slice before the gap, from 0.
   std::size_t slice = 0;
   /// Limit: max_missing.
   std::uint64_t missing = 0;
-  /// For people: "between a7.png and a9.png".
+  /// Text for people: "between a7.png and a9.png".
   std::string place;
 };
 
-/// Units: slices that are missing in all of them.
+/// Returns the total number of missing slices.
 std::uint64_t missing_slices(const std::vector<Gap>& gaps);
 
-/// Returns the note that the gaps are filled. Throws VolumeError with the remedy where that is not
-/// allowed, or more slices are missing than are there. Limit: one gap or more.
+/// Returns the note that gaps are filled. Throws VolumeError with the remedy if this is not
+/// allowed, or if more slices are missing than exist. Limit: at least one gap.
 std::string note_of_filling(const std::filesystem::path& source, const std::vector<Gap>& gaps,
                             std::size_t slices, bool is_allowed, const std::string& remedy);
 
-/// Puts the nearest slice in the place of each that is missing: the earlier one if two are equally
-/// near.
+/// Replaces each missing slice by the nearest one, or by the earlier of two equally near ones.
 template <class Slice>
 void fill_gaps(std::vector<Slice>& stack, const std::vector<Gap>& gaps) {
   std::vector<Slice> filled;

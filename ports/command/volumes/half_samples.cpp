@@ -8,7 +8,7 @@
 namespace discmc::command {
 namespace {
 
-constexpr std::size_t buffered = 4096;  // samples
+constexpr std::size_t buffered = 4096;  // number of samples
 
 class HalfSamples final : public PartwiseSource {
  public:

@@ -15,7 +15,7 @@
 
 namespace discmc::command {
 
-/// Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.
+/// Returns the decimal number that the writer meant by a float: 0.01f is 0.01.
 inline double decimal(float value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -24,7 +24,7 @@ inline double decimal(float value) {
 
 class HeaderBytes {
  public:
-  /// Reads the header. Throws VolumeError where the file is shorter.
+  /// Reads the header. Throws VolumeError if the file is shorter.
   HeaderBytes(ByteStream& stream, std::size_t bytes, bool is_big_endian)
       : bytes_(bytes, '\0'), is_turned_(is_big_endian != is_native_big_endian()) {
     if (stream.read(bytes_.data(), bytes) < bytes)
@@ -47,7 +47,7 @@ class HeaderBytes {
     return value;
   }
 
-  /// Three numbers, one behind the other, each as decimal().
+  /// Returns three successive numbers, each as decimal().
   std::array<double, 3> reals(std::size_t offset) const {
     return {decimal(number<float>(offset)), decimal(number<float>(offset + 4)),
             decimal(number<float>(offset + 8))};

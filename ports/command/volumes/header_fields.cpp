@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-// Windows separates folders by another character.
+// Converts the path separators of Windows.
 std::filesystem::path of_windows(std::string_view name) {
   std::string turned(name);
   std::replace(turned.begin(), turned.end(), '\\', '/');
@@ -87,7 +87,7 @@ bool leads_out(std::string_view name) {
 }
 
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name) {
-  // A zero byte would end the name early, and every message that shows it.
+  // A control character may end the name early, and every message with the name.
   if (std::any_of(name.begin(), name.end(), is_control))
     fail(header, "the data file " + shown(name) + " has control characters in its name",
          "correct the header");

@@ -14,27 +14,27 @@ namespace discmc::command {
 
 class HeaderFields {
  public:
-  /// file: that has the header, for errors.
+  /// file: the file of the header, for errors.
   explicit HeaderFields(std::filesystem::path file) : file_(std::move(file)) {}
 
   const std::filesystem::path& file() const { return file_; }
 
-  /// Throws VolumeError when the field is there already.
+  /// Throws VolumeError if the field exists already.
   void add(const std::string& name, std::string_view text);
   /// Limit: has(name).
   void replace(std::string_view name, std::string text);
 
   bool has(std::string_view name) const { return fields_.find(name) != fields_.end(); }
 
-  /// The value of the first name that is there; empty if none is.
+  /// Returns the value of the first name that exists; empty if none does.
   std::string_view text(std::initializer_list<std::string_view> names) const;
   std::string_view text(std::string_view name) const { return text({name}); }
 
-  /// Throw VolumeError when the field is not there, or is empty.
+  /// Throw VolumeError if the field is missing or empty.
   std::string_view needed(std::string_view name) const;
   std::vector<std::int64_t> needed_integers(std::string_view name) const;
 
-  /// Throw VolumeError when the text is no such number.
+  /// Throw VolumeError if the text is not such a number.
   std::int64_t integer(std::string_view name, std::int64_t otherwise) const;
   std::vector<double> reals(std::initializer_list<std::string_view> names) const;
 
@@ -43,21 +43,21 @@ class HeaderFields {
   std::map<std::string, std::string, std::less<>> fields_;
 };
 
-/// Return the number when the text is one and nothing else; a real may be nan or infinite. The file
-/// and the name of the field are for the VolumeError thrown otherwise.
+/// Return the number that is the whole text; a real may be nan or infinite. Throw VolumeError
+/// otherwise. file, field: for the error.
 std::int64_t integer(const std::filesystem::path& file, std::string_view field,
                      std::string_view text);
 double real(const std::filesystem::path& file, std::string_view field, std::string_view text);
-/// The same of several numbers between blanks.
+/// Likewise returns several numbers between blanks.
 std::vector<double> reals(const std::filesystem::path& file, std::string_view field,
                           std::string_view text);
 
-/// Whether a name is not of something in a folder or the folders in it.
+/// Whether a path may leave its folder.
 bool leads_out(std::string_view name);
 
-/// Returns the file or folder that the text of a header names, beside the header or in a folder
-/// there. Throws when that is no name, or one that leads out: headers come from strangers, who must
-/// not choose among all files of the user.
+/// Returns the file or folder that a header names, beside the header or in a subfolder. Throws if
+/// the text is not a path, or may leave the folder: headers from strangers must not choose among
+/// all files of the user.
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name);
 
 }  // namespace discmc::command

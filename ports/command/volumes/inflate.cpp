@@ -12,7 +12,7 @@ namespace {
 
 class Inflater final : public ByteSource {
  public:
-  /// blocks: how many streams there are, or 0 for gzip members, which end themselves.
+  /// blocks: the number of streams, or 0 for gzip members, which mark their own end.
   Inflater(std::unique_ptr<ByteSource> in, std::uint64_t blocks)
       : in_(std::move(in)), blocks_(blocks) {
     constexpr int largest_window_either_wrapper = 15 + 32;
@@ -66,7 +66,7 @@ class Inflater final : public ByteSource {
     state_.avail_in = static_cast<uInt>(in_->read(input_.data(), input_.size()));
   }
 
-  // gzip files may be concatenated; anything else after the end is padding.
+  // gzip files may be concatenated; other bytes after the end are padding.
   void end_member() {
     if (blocks_ > 0) {
       ended_ = --blocks_ == 0 || inflateReset(&state_) != Z_OK;

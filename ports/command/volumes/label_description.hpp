@@ -17,17 +17,17 @@ namespace discmc::command {
 struct LabelDescription {
   std::string name;
   std::optional<Srgb> colour{};
-  /// That its voxels have: several of a region of nnU-Net. None means all but 0.
+  /// The values of its voxels; several for a region of nnU-Net. Empty means all except 0.
   std::vector<LabelValue> values{};
-  /// The volume of the file that it is in, as VolumeOptions::frame counts: labels that overlap are
-  /// in several.
+  /// The volume of the file that contains the label, as VolumeOptions::frame counts. Overlapping
+  /// labels are in several volumes.
   std::uint32_t layer = 0;
 };
 
 /// The descriptions of labels, in the order of the file.
 using LabelTable = std::vector<LabelDescription>;
 
-/// Nothing where the text is no whole number of 64 bits.
+/// Returns nothing if the text is not a whole number of 64 bits.
 inline std::optional<LabelValue> label_value(std::string_view text) {
   if (const auto value = whole_number<std::uint64_t>(text)) return LabelValue(*value);
   if (const auto value = whole_number<std::int64_t>(text)) return LabelValue(*value);

@@ -16,7 +16,7 @@ NamedLabels labels_of(const LabelDescription& description) {
           description.colour};
 }
 
-// Without what people leave out or write otherwise.
+// Returns the name in lower case, with blanks for underscores.
 std::string plain(std::string_view name) {
   std::string result = lower(name);
   std::replace(result.begin(), result.end(), '_', ' ');
@@ -87,7 +87,7 @@ std::optional<NamedLabels> LabelNames::by_name(std::string_view text) const {
 std::vector<NamedLabels> LabelNames::each(const std::string& list) const {
   std::vector<NamedLabels> labels;
   for (std::size_t begin = 0; begin <= list.size();) {
-    // The longest piece that is a label, since commas may be part of a name.
+    // Takes the longest text that is a label, because names may contain commas.
     std::optional<NamedLabels> found;
     std::size_t end = list.size();
     if (end - begin > longest_name_) end = std::min(end, list.find(',', begin + longest_name_));

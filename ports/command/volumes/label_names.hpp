@@ -1,4 +1,4 @@
-// Which labels of a segmentation are meant by numbers and names.
+// Finds labels of a segmentation by numbers and names.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace discmc::command {
 
-/// Labels that are one surface, and what they are called.
+/// Labels that form one surface, and their common name.
 struct NamedLabels {
   LabelSet set;
   std::string name;
@@ -25,25 +25,25 @@ struct NamedLabels {
 /// The labels of some layers of a segmentation.
 class LabelNames {
  public:
-  /// table: of all layers. layers: the numbers of those that are read; not none.
+  /// table: of all layers. layers: the numbers of those that are read; not empty.
   LabelNames(LabelTable table, std::vector<std::uint32_t> layers);
 
   const std::vector<std::uint32_t>& layers() const { return layers_; }
 
-  /// The labels of a list such as "5,right lung": names may hold commas, too. A name is that in the
-  /// table, or else the only one that differs from it in case and underscores alone. Throws
-  /// std::invalid_argument where a label is not known or several are meant.
+  /// Returns the labels of a list such as "5,right lung"; names may contain commas. A name is equal
+  /// to one in the table, or differs from only one there by case and underscores. Throws
+  /// std::invalid_argument if a label is unknown or ambiguous.
   std::vector<NamedLabels> each(const std::string& list) const;
 
-  /// All of the list as one surface. It has the name and the colour of its label, or the list as
-  /// its name where there are several.
+  /// Returns all labels of the list as one surface. It has the name and the colour of a single
+  /// label, or the list as its name.
   NamedLabels together(const std::string& list) const;
 
-  /// The regions of the table: those of several labels.
+  /// Returns the regions of the table, which have several labels.
   std::vector<NamedLabels> regions() const;
 
-  /// What a label is called, and its colour. A value that several labels have, or none, is called
-  /// by its number.
+  /// Returns the name and colour of a label. If several labels have its value, or none, its number
+  /// is its name.
   NamedLabels named(std::uint32_t layer, LabelValue value) const;
 
  private:
@@ -53,7 +53,7 @@ class LabelNames {
 
   LabelTable table_;
   std::vector<std::uint32_t> layers_;
-  // Places in the table: of masks, by their layers, and of labels with one value.
+  // Indexes in the table: of masks, by layer, and of labels with one value.
   std::map<std::uint32_t, std::vector<std::size_t>> masks_;
   std::map<LabelValue, std::vector<std::size_t>> of_value_;
   std::size_t longest_name_ = 0;

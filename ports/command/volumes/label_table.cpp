@@ -25,8 +25,8 @@ std::string_view without_line_end(std::string_view line) {
 
 using Words = std::vector<std::string_view>;
 
-// The parts of a line between tabs or commas, empty ones too. In quotes, which are dropped, a comma
-// is none.
+// Splits a line at tabs or commas, with empty parts. Commas in quotes do not separate; quotes are
+// dropped.
 Words columns(std::string_view line, char separator) {
   Words columns;
   for (bool is_last = false; !is_last;) {
@@ -41,7 +41,7 @@ Words columns(std::string_view line, char separator) {
   return columns;
 }
 
-// Three words from 0 to 255.
+// Parses three words from 0 to 255.
 std::optional<Srgb> colour_of(const Words& words, std::size_t first) {
   Srgb colour{};
   if (words.size() < first + colour.size()) return std::nullopt;
@@ -53,7 +53,7 @@ std::optional<Srgb> colour_of(const Words& words, std::size_t first) {
   return colour;
 }
 
-// #RRGGBB
+// Parses #RRGGBB.
 std::optional<Srgb> hexadecimal_colour(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   Srgb colour{};
@@ -72,10 +72,10 @@ std::optional<LabelDescription> entry(std::string_view index, std::string_view n
   return LabelDescription{utf8(name), colour, {*label}};
 }
 
-// The lines of a table, whose first line defines how to read the others.
+// The lines of a table. The first line defines how to read the others.
 class Reader {
  public:
-  /// Returns whether the line is the head of columns.
+  /// Returns whether the line names the columns.
   bool take_head(std::string_view line) {
     for (const char separator : {'\t', ','}) {
       separator_ = separator;
@@ -99,13 +99,13 @@ class Reader {
   }
   bool has(std::string_view head) const { return place(head) < heads_.size(); }
 
-  // Empty where there is no such column.
+  // Returns an empty text if there is no such column.
   std::string_view value(const Words& words, std::string_view head) const {
     const std::size_t at = place(head);
     return at < words.size() ? trimmed(words[at]) : std::string_view();
   }
 
-  // 3D Slicer may leave the name out, as its columns of terms are more precise: "Left Kidney".
+  // 3D Slicer may omit the name, because its columns of terms are more precise: "Left Kidney".
   std::string name(const Words& words) const {
     const std::string_view own = value(words, "name");
     if (!own.empty()) return std::string(own);
@@ -145,7 +145,7 @@ class Reader {
 
   bool has_columns_ = false;
   char separator_ = '\t';
-  std::vector<std::string> heads_;  // in lower case
+  std::vector<std::string> heads_;  // names of columns, in lower case
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Tables of labels as files.
+// Reads tables of labels.
 #pragma once
 
 #include <array>
@@ -10,20 +10,22 @@
 
 namespace discmc::command {
 
-/// Reads a table of labels, as programs write them. Lines: "INDEX NAME RED GREEN BLUE" (3D Slicer,
-/// FreeSurfer), "INDEX RED GREEN BLUE ALPHA VISIBLE MESH "NAME"" (ITK-SNAP). Columns with heads:
-/// index, name, color between tabs (BIDS), or LabelValue, Name, Color_R ... between commas (3D
-/// Slicer). Also a file of read_label_json(). Lines that are empty or begin with # are skipped.
-/// Throws VolumeError with the number of a line that is none of that.
+/// Reads a table of labels in one of these forms.
+/// Lines: "INDEX NAME RED GREEN BLUE" (3D Slicer, FreeSurfer), or "INDEX RED GREEN BLUE ALPHA
+/// VISIBLE MESH "NAME"" (ITK-SNAP).
+/// Columns with heads: index, name, color between tabs (BIDS), or LabelValue, Name, Color_R ...
+/// between commas (3D Slicer).
+/// JSON: a file of read_label_json().
+/// Skips empty lines, and lines that begin with #. Throws VolumeError with the number of an invalid
+/// line.
 LabelTable read_label_table(const std::filesystem::path& file);
 
 /// Reads the object "labels" of nnU-Net's dataset.json: {"liver": 1, "kidney": [2, 3]}. Its first
-/// version and the Medical Segmentation Decathlon have {"1": "liver"}. Throws VolumeError where the
-/// file is none of that.
-/// https://github.com/MIC-DKFZ/nnUNet/blob/master/documentation/dataset_format.md
+/// version and the Medical Segmentation Decathlon have {"1": "liver"}. Throws VolumeError for other
+/// content. https://github.com/MIC-DKFZ/nnUNet/blob/master/documentation/dataset_format.md
 LabelTable read_label_json(const std::filesystem::path& file);
 
-/// Red, green and blue from 0 to 1; nothing where one is no such number.
+/// Parses red, green and blue from 0 to 1; returns nothing if a text is another number.
 std::optional<Srgb> colour_of_shares(const std::array<std::string_view, 3>& texts);
 
 }  // namespace discmc::command

@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// The name is that of the program, too.
+// The name of the packing is also its program's name.
 struct Described {
   Packing packing;
   std::string_view name;
@@ -83,7 +83,7 @@ std::filesystem::path without_packing(const std::filesystem::path& file) {
 
 std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> in, Packing packing,
                                      [[maybe_unused]] const std::filesystem::path& file) {
-  // Not by libarchive, which does not look at the checksum of gzip.
+  // libarchive ignores the checksum of gzip.
   if (packing == Packing::gzip) return inflated(std::move(in));
 #ifdef DISCMC_WITH_LIBARCHIVE
   auto source = std::make_unique<ArchiveSource>(std::move(in), support_of(packing));

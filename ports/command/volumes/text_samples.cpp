@@ -17,7 +17,7 @@ class TextSamples final : public PartwiseSource {
  public:
   TextSamples(std::unique_ptr<ByteSource> in, SampleType type) : in_(std::move(in)), type_(type) {}
 
-  // A number takes a character and a blank at least.
+  // A number needs at least a character and a blank.
   std::uint64_t max_left() const override {
     const std::uint64_t text = in_->max_left();
     const std::uint64_t in_memory = (text_end_ - text_begin_ + left_in_part()) + 1;
@@ -28,7 +28,7 @@ class TextSamples final : public PartwiseSource {
   std::string damage() const override { return damage_.empty() ? in_->damage() : damage_; }
 
  private:
-  // Returns the next character, or '<' for the end.
+  // Returns the next character without consuming it, or '<' at the end.
   char peek_character() {
     if (text_begin_ == text_end_) {
       text_begin_ = 0;
@@ -42,7 +42,7 @@ class TextSamples final : public PartwiseSource {
   bool next_part() override {
     if (!damage_.empty()) return false;
     while (is_between(peek_character())) ++text_begin_;
-    constexpr std::size_t max_characters = 400;  // the digits of the largest double
+    constexpr std::size_t max_characters = 400;  // more than the digits of the largest double
     word_.clear();
     for (char c = peek_character(); c != '<' && !is_between(c); c = peek_character()) {
       if (word_.size() < max_characters) word_ += c;

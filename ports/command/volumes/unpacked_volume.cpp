@@ -56,7 +56,7 @@ class UnpackedVolume final : public VolumeReader {
     }
   }
 
-  // Patterns of files in the folder are such in what was packed.
+  // Converts patterns of files in the folder to patterns in the packed file.
   std::string in_packed(std::string text) const {
     const std::string folder = folder_.path().string(), packed = packed_.string();
     for (std::size_t at = text.find(folder); at != std::string::npos;
@@ -70,7 +70,7 @@ class UnpackedVolume final : public VolumeReader {
     return notes;
   }
 
-  // A file in the folder by that of what was packed.
+  // Converts the name of a file in the folder to its name in the packed file.
   std::filesystem::path named(const std::filesystem::path& inner) const {
     return inner == "." || inner == without_packing(packed_).filename() ? packed_ : packed_ / inner;
   }
@@ -79,10 +79,10 @@ class UnpackedVolume final : public VolumeReader {
   TemporaryFolder folder_;
   std::unique_ptr<VolumeReader> volume_;
   VolumeInfo info_;
-  mutable std::vector<std::string> notes_;  // with those that reading added
+  mutable std::vector<std::string> notes_;  // including notes that reading added
 };
 
-// The ends of pipes that close when this program ends. Removers inherit those made before.
+// The ends of pipes that close when this program ends. Removers inherit earlier ends.
 std::set<int>& others_alive() {
   static std::set<int> ends;
   return ends;
@@ -141,7 +141,7 @@ void TemporaryFolder::leave_to_remover() {
 }
 
 void TemporaryFolder::remove_at_end(int end, int alive) const {
-  setsid();  // signals of the terminal are not for it
+  setsid();  // shields it from signals of the terminal
   for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) close(standard);
   for (const int other : others_alive()) close(other);
   close(alive);

@@ -1,4 +1,4 @@
-// Volumes whose readers take files alone, out of something that is packed.
+// Unpacks volumes whose readers need files.
 #pragma once
 
 #include <sys/types.h>
@@ -12,21 +12,22 @@
 
 namespace discmc::command {
 
-/// The volume of files that `open` unpacks into a folder for temporary files and opens. They are
-/// removed when it is closed, and bear the name of what was packed in errors. packing: for people,
+/// Returns the volume of files that `open` unpacks into a temporary folder and opens. Closing the
+/// volume removes the files. Errors show their names in the packed file. packing: for people,
 /// behind the format.
 std::unique_ptr<VolumeReader> unpacked_volume(
     const std::filesystem::path& packed, std::string_view packing,
     const std::function<std::unique_ptr<VolumeReader>(const std::filesystem::path& folder)>& open);
 
-/// Writes what is left of a stream into a file, for which folders are made.
+/// Writes the rest of a stream to a file, and creates its folders.
 void unpack(ByteStream& stream, const std::filesystem::path& file);
 
-/// A folder of its own, removed at its end with its contents, and also when a signal ends the
-/// program. Patients' data must not stay. A process that waits for that end removes it.
+/// A temporary folder, removed with its content when the object or the program ends, even by a
+/// signal, because patients' data must not stay. A process that waits for this end removes the
+/// folder.
 class TemporaryFolder {
  public:
-  /// Throws VolumeError where there can be none.
+  /// Throws VolumeError if the folder cannot be created.
   TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -21,7 +21,7 @@
 namespace discmc::command {
 namespace {
 
-// What headerless samples are called, and what they may be called though others have a header.
+// Whether the name may be that of headerless samples, although some such files have a header.
 bool is_raw_name(const std::filesystem::path& file) {
   return lower(without_packing(file).extension().string()) == ".raw";
 }
@@ -32,7 +32,7 @@ bool may_be_headerless(const std::filesystem::path& file) {
          lower(without_packing(file).extension().string()) == ".img";
 }
 
-// Files that a shell would find by the name, where it was quoted.
+// Returns the files of a quoted pattern, as a shell would find them.
 std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path& pattern) {
   glob_t found{};
   std::vector<std::filesystem::path> files;
@@ -47,7 +47,7 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
 std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
                                            const VolumeOptions& options);
 
-// With their folders, to be given instead.
+// Lists paths for the user to choose from.
 std::string list_of(std::vector<std::filesystem::path> files) {
   sort_naturally(files);
   constexpr std::size_t max_listed = 10;
@@ -57,7 +57,7 @@ std::string list_of(std::vector<std::filesystem::path> files) {
   return text;
 }
 
-// Masks are labels. For what takes none, one of the files is to be named.
+// Masks are labels. Commands without labels require one of the files.
 std::unique_ptr<VolumeReader> open_requested_masks(const std::filesystem::path& source,
                                                    const std::vector<std::filesystem::path>& files,
                                                    const VolumeOptions& options,
@@ -68,7 +68,7 @@ std::unique_ptr<VolumeReader> open_requested_masks(const std::filesystem::path& 
        "name one file, or read each file as a label with --labels all or --label NAME");
 }
 
-// By its first bytes: pictures may have names without their kind.
+// Decides by the first bytes, because names of pictures may lack an extension.
 bool is_picture(const std::filesystem::path& file) {
   ByteStream stream(file);
   const VolumeFormat* const format = format_of_head(stream.peek(magic_bytes));
@@ -129,7 +129,7 @@ std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const VolumeFormat&
   return format.open_file(stream.file(), options);
 }
 
-// The first bytes of an existing file, whose format may differ from its name's.
+// Checks the first bytes of an existing file, whose format may differ from its name's.
 void require_named_content(const std::filesystem::path& file) {
   const std::filesystem::path path = array_name(file).file;
   std::error_code ignored;
@@ -200,7 +200,7 @@ std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
   return open_stream(std::move(stream), *format, options);
 }
 
-// What is asked for must mean something to the format.
+// Refuses options that the format does not use.
 void require_used(const std::filesystem::path& file, const VolumeOptions& options,
                   std::string_view format) {
   const auto is_one_of = [format](std::initializer_list<std::string_view> names) {
@@ -228,7 +228,7 @@ std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::pa
           ", such as " + shown(pictures[0].filename().string()) + "; to read them, " + remedy};
 }
 
-// Opens the only volume in folders of a folder, or lists what is there.
+// Opens the only volume in subfolders of a folder, or lists all.
 std::unique_ptr<VolumeReader> open_inner(const std::filesystem::path& folder,
                                          const VolumeOptions& options) {
   const auto files = files_in(folder);

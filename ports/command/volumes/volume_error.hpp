@@ -1,4 +1,4 @@
-// What cannot be read, and why.
+// The error of a volume that cannot be read.
 #pragma once
 
 #include <cstddef>
@@ -26,13 +26,13 @@ class VolumeError : public std::runtime_error {
 [[noreturn]] void fail(const std::string& file, const std::string& fault,
                        const std::string& remedy);
 
-/// Throws the refusal of a sample type, by the name the file gives it.
+/// Throws VolumeError for a sample type, given by the file's name for it.
 [[noreturn]] void fail_type(const std::string& file, std::string_view type);
 
-/// Throws when all slices have been read.
+/// Throws if all slices have been read.
 void require_slice_left(const std::string& file, std::size_t read, std::size_t slices);
 
-/// Returns text from a file in quotes, cut to a length fit for a message, without control bytes.
+/// Returns text from a file in quotes, shortened for a message, without control bytes.
 std::string shown(std::string_view text);
 
 }  // namespace discmc::command

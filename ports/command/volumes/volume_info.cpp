@@ -10,7 +10,7 @@ namespace {
 // The half-steps of the last slice must fit into 31 bits.
 constexpr std::int64_t max_slices = (std::int64_t{1} << 30) - 1;
 
-// " ('red', 'green', 'blue')", of the first names.
+// Returns the first names, such as " ('red', 'green', 'blue')".
 std::string in_brackets(const std::vector<std::string>& names) {
   constexpr std::size_t max_shown = 8;
   if (names.empty()) return {};
@@ -48,7 +48,7 @@ void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::
     if (axis >= 3 && sizes[axis] == 1)
       note(info, "dimension " + std::to_string(axis + 1) + " of size 1 is dropped");
   }
-  // All bytes can be counted.
+  // Throws unless the number of bytes fits 64 bits.
   if (info.frames > std::numeric_limits<std::uint64_t>::max() / info.dims[2] / info.slice_bytes())
     fail(file, "the sizes are larger than any file", "correct the header");
   if (sizes.size() == 2) note(info, "two dimensions, read as one slice");

@@ -12,8 +12,7 @@ VolumePlacement by_spacing(const VolumeInfo& info) {
   return along_coordinates(spacing);
 }
 
-// Two placements that can be compared; if only one has a patient's space, by the
-// spacing.
+// Returns two comparable placements: by the spacing, if only one volume has a patient's space.
 std::array<VolumePlacement, 2> comparable(const VolumeInfo& a, const VolumeInfo& b) {
   const VolumePlacement at_a = a.placement.value_or(along_coordinates(a.spacing_mm));
   const VolumePlacement at_b = b.placement.value_or(along_coordinates(b.spacing_mm));
@@ -22,7 +21,8 @@ std::array<VolumePlacement, 2> comparable(const VolumeInfo& a, const VolumeInfo&
   return {at_a, in_space(at_b, at_a.space)};
 }
 
-// How far apart voxels of the same number are at most: at a corner. Units: millimetres.
+// Returns the largest distance between voxels of equal index, which is at a corner. Units:
+// millimetres.
 double farthest(const VolumeInfo& a, const VolumeInfo& b) {
   const auto [at_a, at_b] = comparable(a, b);
   double result = 0;

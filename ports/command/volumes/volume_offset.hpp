@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// An axis of a volume, along which one of another volume runs.
+/// The axis of a volume along which an axis of another volume runs.
 struct AxisMatch {
   std::size_t axis;
   bool is_reversed;
@@ -21,13 +21,13 @@ constexpr bool is_same(const AxesMatch& match) {
   return true;
 }
 
-/// Which axis of `other` runs nearest to each of the volume. The same ones where that is not clear,
-/// and if one of them has no patient's space.
+/// Returns which axis of `other` runs nearest to each axis of the volume. Returns equal axes if
+/// this is unclear, or if a volume has no patient's space.
 AxesMatch matching_axes(const VolumeInfo& volume, const VolumeInfo& other);
 
-/// The largest distance between voxels of the same number, as far as the volumes declare. 0 if it
-/// is a tenth of a voxel or less. If one of them has no patient's space, only their spacings are
-/// compared. Units: millimetres. Limit: the same extents.
+/// Returns the largest declared distance between voxels of equal index, or 0 if it is at most a
+/// tenth of a voxel. If a volume has no patient's space, compares only spacings. Units:
+/// millimetres. Limit: equal extents.
 double offset_mm(const VolumeInfo& a, const VolumeInfo& b);
 
 }  // namespace discmc::command

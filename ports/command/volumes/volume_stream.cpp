@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-// Samples arrive in the file's byte order and leave in the machine's.
+// Converts samples from the file's byte order to the machine's.
 template <std::size_t size>
 void swap_samples(unsigned char* bytes, std::uint64_t count) {
   for (std::uint64_t i = 0; i < count; ++i, bytes += size) std::reverse(bytes, bytes + size);
@@ -35,7 +35,7 @@ bool is_native_big_endian() {
   return first == 0;
 }
 
-// What a stream had not given when a decoder took it over.
+// The bytes that a stream had not returned when a decoder replaced it.
 class ByteStream::Rest final : public ByteSource {
  public:
   explicit Rest(ByteStream stream) : stream_(std::move(stream)) {}
@@ -201,7 +201,7 @@ SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool is_big_endian,
   if (!note_of_rest_ && left && *left > bytes_of_all(info_))
     note(info_, std::to_string(*left - bytes_of_all(info_)) + note_of_surplus);
   stream_.skip(volume_bytes(info_) * frame.value_or(0));
-  // The caller's slice buffer is thus bounded by the file, whatever its header claims.
+  // This bounds the caller's slice buffer by the file, whatever its header declares.
   const std::uint64_t slice = info_.slice_bytes();
   std::uint64_t most = stream_.max_left();
   if (most == ByteSource::unbounded) most = stream_.peek(static_cast<std::size_t>(slice)).size();
@@ -221,7 +221,7 @@ void SliceStream::skip_slice() {
   end_slice(stream_.drop(info_.slice_bytes()));
 }
 
-// bytes: that were there.
+// bytes: number read of the slice.
 void SliceStream::end_slice(std::uint64_t bytes) {
   if (bytes < info_.slice_bytes()) fail_in_slice(info_.slice_bytes() - bytes);
   if (slice_ + 1 == info_.dims[2]) end();
@@ -235,7 +235,7 @@ void SliceStream::end() {
   if (!stream_.damage().empty()) fail_in_slice(0);
 }
 
-// What was not known when the file was opened.
+// Notes extra bytes, if the size was unknown when the file was opened.
 std::string SliceStream::note_of_bytes() {
   const bool has_more = is_last_volume_ && !stream_.left() && !stream_.peek(1).empty();
   return has_more ? std::string("more") + note_of_surplus : std::string();

@@ -1,4 +1,4 @@
-// A file read from front to back, decoded on the way where asked, and slices cut from it.
+// A file read from front to back, optionally decoded, and its slices.
 #pragma once
 
 #include <cstddef>
@@ -19,51 +19,50 @@ namespace discmc::command {
 /// The byte order of this machine.
 bool is_native_big_endian();
 
-/// Makes a source of what another one gives.
+/// Makes a source that decodes another one.
 using Decoder = std::function<std::unique_ptr<ByteSource>(std::unique_ptr<ByteSource>)>;
 
-/// Bytes with the name of their file, of which some can be seen before they are read. Movable, not
-/// copyable.
+/// Bytes of a named file, which can be peeked at before reading. Movable, not copyable.
 class ByteStream {
  public:
-  /// Throws as bytes_of_file().
+  /// Throws like bytes_of_file().
   explicit ByteStream(const std::filesystem::path& file);
   ByteStream(std::filesystem::path file, std::unique_ptr<ByteSource> source);
 
   const std::filesystem::path& file() const { return file_; }
 
-  /// From here on what is read is what the decoder makes of it.
+  /// Decodes all following bytes.
   void decode(const Decoder& decoder);
 
-  /// From here on what is read is the content of a file that is packed as a whole.
+  /// Unpacks all following bytes of a packed file.
   void unpack(Packing packing);
-  /// How the file was packed, if it was.
+  /// Returns how the file was packed, if it was.
   std::optional<Packing> packing() const { return packing_; }
 
-  /// Whether the file can be opened once only.
+  /// Whether the file can be opened only once.
   bool is_read_once() const { return is_read_once_; }
 
-  /// Returns the next bytes, fewer only at the end or at damage(). They stay to be read. Memory
-  /// grows with what is there, not with what is asked for. Valid until the next call.
+  /// Returns the next bytes without consuming them, fewer only at the end or at damage(). Memory
+  /// grows with the existing bytes, not with `count`. Valid until the next call.
   std::string_view peek(std::size_t count);
 
-  /// Returns the number of bytes read: fewer than asked only at the end or at damage().
+  /// Returns the number of bytes read: fewer than requested only at the end or at damage().
   std::size_t read(void* bytes, std::size_t count);
 
-  /// Returns the next line without its line feed and carriage return; nothing at the end. Throws
-  /// behind the first MiB: no header is as long.
+  /// Returns the next line without its line feed and carriage return; nothing at the end. Throws if
+  /// a line exceeds 1 MiB, which no header does.
   std::optional<std::string> read_line();
 
-  /// Returns the number of bytes dropped: fewer than asked as for read().
+  /// Returns the number of bytes dropped: fewer than requested only at the end or at damage().
   std::uint64_t drop(std::uint64_t count);
 
-  /// Drops bytes. Throws when there are fewer.
+  /// Drops bytes. Throws if there are fewer.
   void skip(std::uint64_t count);
 
-  /// Goes past the next lines, each up to its line feed. Throws when there are fewer.
+  /// Drops lines, each up to its line feed. Throws if there are fewer.
   void skip_lines(std::uint64_t count);
 
-  /// Returns how many bytes were read or skipped since the beginning or the last decode().
+  /// Returns the number of bytes read or dropped since the beginning or the last decode().
   std::uint64_t position() const { return position_; }
 
   /// As ByteSource.
@@ -80,30 +79,29 @@ class ByteStream {
 
   std::filesystem::path file_;
   std::unique_ptr<ByteSource> source_;
-  std::string ahead_;  // seen from ahead_begin_ on, but not yet read
+  std::string ahead_;  // peeked bytes, unread from ahead_begin_ on
   std::size_t ahead_begin_ = 0;
   std::uint64_t position_ = 0;
   std::optional<Packing> packing_;
   bool is_read_once_ = false;
 };
 
-/// The bytes of a file, unpacked where it is packed as a whole.
+/// Opens the bytes of a file, unpacked if it is packed as a whole.
 ByteStream open_content(const std::filesystem::path& file);
 
-/// Goes to this many bytes before the end of the file. Throws when the file is shorter, and where
-/// it has no known end.
+/// Drops all but the last `bytes` bytes. Throws if the file is shorter, or has no known end.
 void skip_to_end(ByteStream& stream, std::uint64_t bytes);
 
-/// Returns a note of what follows the samples; empty if that does not matter.
+/// Returns a note about what follows the samples; empty if that does not matter.
 using NoteOfRest = std::function<std::string(ByteStream&)>;
 
-/// The reader of every format: its header is done, the samples of all slices follow in order.
+/// The reader of most formats: after the header, the samples of all slices follow in order.
 class SliceStream final : public VolumeReader {
  public:
-  /// The next sample of the stream is the first of the first volume in the file. frame: the volume
-  /// that is read. note_of_rest is asked when the last slice has been read. Without it bytes behind
-  /// the last volume are noted, at once if the end of the file is known. Throws when the first
-  /// slice cannot be there.
+  /// The next sample of the stream is the first one of the first volume in the file. frame: the
+  /// volume to read. note_of_rest: called after the last slice. Without it, bytes behind the last
+  /// volume are noted, at once if the end of the file is known. Throws if the file cannot hold the
+  /// first slice.
   SliceStream(VolumeInfo info, ByteStream stream, bool is_big_endian,
               std::optional<std::uint32_t> frame = {}, NoteOfRest note_of_rest = {});
 

@@ -1,5 +1,5 @@
-// Projects of InVesalius: an archive of tar with the samples and, before or behind them, a property
-// list that describes how they are stored.
+// Projects of InVesalius: a tar archive with the samples and a property list that describes their
+// layout.
 #include <utility>
 
 #include "volumes/declared_place.hpp"
@@ -20,7 +20,7 @@ namespace discmc::command {
 #if defined(DISCMC_WITH_PUGIXML) && defined(DISCMC_WITH_LIBARCHIVE)
 namespace {
 
-// What follows a key in a dictionary.
+// Returns the element after a key of a dictionary.
 pugi::xml_node value_of(const std::filesystem::path& file, const pugi::xml_node& dictionary,
                         std::string_view key) {
   for (const pugi::xml_node& node : dictionary.children("key"))
@@ -43,7 +43,7 @@ std::array<std::string, 3> three_of(const std::filesystem::path& file,
   return {texts[0], texts[1], texts[2]};
 }
 
-// A file of the archive, found by its name without the folder.
+// Returns a member of the archive, found by its name without the folder.
 ByteStream member(ByteStream stream, const std::string& name) {
   const std::filesystem::path file = stream.file();
   stream.decode([&](auto in) {
@@ -84,7 +84,7 @@ std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOpt
   const auto spacing = three_of(file, project, "spacing");
   DeclaredPlace place;
   place.set_unit("mm");
-  // InVesalius stores images upside down: its y runs to the front.
+  // InVesalius stores images upside down: y runs to the front.
   place.spacing = {real(file, "spacing", spacing[0]), -real(file, "spacing", spacing[1]),
                    real(file, "spacing", spacing[2])};
   set_place(info, place, options);

@@ -1,4 +1,4 @@
-// A folder of masks, the voxels of a label in each, as TotalSegmentator writes them.
+// A folder of masks, one per label, as TotalSegmentator writes them.
 #include "mask_files.hpp"
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 namespace discmc::command {
 namespace {
 
-// The name without the ending of a mask, for formats that are one file. Nothing if there is no such
-// ending, or if the file is hidden.
+// Returns the name without the ending of a single-file mask format. Returns nothing for other
+// endings and hidden files.
 std::optional<std::string> mask_name(const std::filesystem::path& file) {
   const std::filesystem::path bare = without_packing(file).filename();
   const std::string extension = lower(bare.extension().string());
@@ -27,7 +27,7 @@ std::optional<std::string> mask_name(const std::filesystem::path& file) {
   return is_mask && !is_system_name(file) ? std::optional(bare.stem().string()) : std::nullopt;
 }
 
-// Labels of which there must be one.
+// Requires that a mask has a single label.
 class Mask final : public VolumeFilter {
  public:
   Mask(std::filesystem::path file, std::unique_ptr<VolumeReader> labels, VolumeInfo info,
@@ -59,10 +59,10 @@ class Mask final : public VolumeFilter {
   }
 
   std::filesystem::path file_;
-  LabelValue label_{};  // 0: none has come
+  LabelValue label_{};  // 0: none so far
 };
 
-// What has another shape or place is no mask of the same scan.
+// A mask with another shape or place belongs to another scan.
 void require_same_place(const std::filesystem::path& file, const VolumeInfo& info,
                         const std::filesystem::path& first_file, const VolumeInfo& first) {
   const std::string remedy = "extract them one by one, or leave out the masks of other scans";

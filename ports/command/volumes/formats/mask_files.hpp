@@ -1,4 +1,4 @@
-// Files that are the masks of labels, one each.
+// Masks as files, one per label.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,16 @@
 
 namespace discmc::command {
 
-/// Whether a file of this name can be one of several masks: of a format that is one file.
+/// Whether a file of this name can be one of several masks, which need single-file formats.
 bool is_mask_name(const std::filesystem::path& file);
 
-/// Returns those of a folder; what is in further folders in it is left.
+/// Returns the masks of a folder, without its subfolders.
 std::vector<std::filesystem::path> mask_files(const std::filesystem::path& folder);
 
-/// Volumes of the same extents at the same place, in the natural order of names: options.frame is
-/// the number of one. Each is all of a label, which has the name of the file. If options declare
-/// that they hold labels, a file with two values but 0 is refused when it is read. source: what was
-/// named. notes: added to those of the volume.
+/// Opens mask files as volumes of equal extents and place, in the natural order of names;
+/// options.frame is the index of one. Each mask is one label with the name of its file. If options
+/// declare labels, reading refuses a file with two values besides 0. source: the named path. notes:
+/// added to those of the volume.
 std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
                                          std::vector<std::filesystem::path> files,
                                          const VolumeOptions& options,

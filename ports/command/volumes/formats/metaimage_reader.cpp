@@ -1,5 +1,5 @@
-// MetaImage, https://itk.org/Wiki/MetaIO/Documentation. The only libraries that read it come with
-// ITK or VTK, so its lines of "key = value" are parsed here.
+// MetaImage, https://itk.org/Wiki/MetaIO/Documentation. Only ITK and VTK contain libraries for it,
+// so discmc parses its lines of "key = value" itself.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,7 +15,7 @@
 namespace discmc::command {
 namespace {
 
-// The frames of a tracked sequence of Plus, each with a pose of its own, are no parallel slices.
+// Frames of a tracked sequence of Plus have separate poses, so they are not parallel slices.
 void require_untracked(const HeaderFields& fields, const std::string& name,
                        std::map<std::string, std::string>& poses) {
   constexpr std::string_view begin = "Seq_Frame", end = "Transform";
@@ -60,7 +60,7 @@ bool flag(const HeaderFields& header, std::initializer_list<std::string_view> na
   fail(header.file(), std::string(*names.begin()) + " is " + shown(found), "write True or False");
 }
 
-// How samples are stored.
+// The storage of samples.
 struct Storage {
   SampleType type;
   bool is_compressed;
@@ -74,7 +74,7 @@ bool is_local(std::string_view data_file) {
   return lower(data_file) == "local";
 }
 
-// What the command reads has one value for this field.
+// Throws unless a field has the only supported value.
 void expect(const HeaderFields& header, std::string_view name, std::string_view expected) {
   const std::string_view found = header.text(name);
   if (!found.empty() && lower(found) != lower(expected))
@@ -84,7 +84,7 @@ void expect(const HeaderFields& header, std::string_view name, std::string_view 
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view text) {
-  // A "long" has four bytes in files, whatever it has in programs.
+  // A "long" has four bytes in files, whatever its size in programs.
   constexpr std::pair<std::string_view, SampleType> names[] = {
       {"MET_UCHAR", SampleType::u8},       {"MET_CHAR", SampleType::i8},
       {"MET_USHORT", SampleType::u16},     {"MET_SHORT", SampleType::i16},
@@ -118,8 +118,8 @@ void set_sizes(VolumeInfo& info, const HeaderFields& header, const VolumeOptions
   set_channels(info, header.file(), static_cast<std::uint64_t>(channels), options.channel);
 }
 
-// Where the axes come from by their letters: RAI are axes along LPS. ITK writes them beside the
-// matrix and does not read them.
+// Returns the letters of the directions from which the axes come: RAI means axes along LPS. ITK
+// writes them beside the matrix, but does not read them.
 std::string orientation_of(const Axes& axes) {
   constexpr std::string_view from[] = {"RL", "AP", "IS"};
   std::string letters;
@@ -140,7 +140,7 @@ void note_orientation(VolumeInfo& info, std::string_view letters) {
                    " is ignored; by the TransformMatrix it is '" + taken + "'");
 }
 
-// A row an axis, of length 1; nothing where the numbers are no matrix of the axes.
+// Returns one row of length 1 per axis, or nothing if the numbers are not a matrix of the axes.
 std::optional<Axes> directions_of(VolumeInfo& info, const std::vector<double>& matrix,
                                   std::size_t axes) {
   if (matrix.size() != axes * axes) {
@@ -174,7 +174,7 @@ void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes,
 void set_geometry(VolumeInfo& info, const HeaderFields& header, const VolumeOptions& options) {
   const std::size_t axes = words(header.needed("DimSize")).size();
   DeclaredPlace place;
-  // ITK, which the format is from, has millimetres and the space of DICOM.
+  // ITK, which defines the format, uses millimetres and the space of DICOM.
   const std::string_view unit = header.text("DistanceUnits");
   place.set_unit(unit.empty() ? "mm" : unit == "?" ? "" : std::string(unit));
   set_spacing(info, header, axes, place);
@@ -194,8 +194,8 @@ void set_values(VolumeInfo& info, const HeaderFields& header) {
             intercept.empty() ? 0 : intercept[0]);
 }
 
-// Leaves a data file at its first sample. HeaderSize counts from the beginning of the file that
-// holds the data, and -1 means that the data is its end.
+// Moves to the first sample of a data file. HeaderSize counts from the beginning of this file; -1
+// means that the samples end the file.
 ByteStream at_data(ByteStream data, std::int64_t header_bytes, const Storage& storage,
                    std::uint64_t bytes_in_file) {
   if (header_bytes < (storage.is_raw() ? -1 : 0))
@@ -213,7 +213,7 @@ ByteStream at_data(ByteStream data, std::int64_t header_bytes, const Storage& st
   return data;
 }
 
-// Takes the samples from behind the header, or from the files that it names.
+// Opens the samples behind the header, or in the files that the header names.
 ByteStream open_data(ByteStream& stream, const HeaderFields& header, const Storage& storage,
                      VolumeInfo& info) {
   const std::string_view name = header.needed("ElementDataFile");

@@ -1,4 +1,4 @@
-// FreeSurfer's .mgh, and .mgz, which is the same packed by gzip:
+// FreeSurfer's .mgh, and .mgz, which is .mgh packed by gzip:
 // https://surfer.nmr.mgh.harvard.edu/fswiki/FsTutorial/MghFormat. All numbers are big-endian.
 #include <array>
 #include <utility>
@@ -67,7 +67,7 @@ std::unique_ptr<VolumeReader> open_mgh(ByteStream stream, const VolumeOptions& o
   if (sizes.back() == 1) sizes.pop_back();
   set_dims(info, file, sizes, options.frame);
   set_place(info, place_of(info, header), options);
-  // Parameters of the scan and commands that made it may follow.
+  // Scan parameters and commands may follow.
   const auto no_note = [](ByteStream&) { return std::string(); };
   return std::make_unique<SliceStream>(std::move(info), std::move(stream), true, options.frame,
                                        no_note);

@@ -1,5 +1,6 @@
 // MRC and CCP4 maps, https://www.ccpem.ac.uk/mrc_format/mrc2014.php: a header of 1024 bytes, an
-// extended one, and sections of rows of columns. Each of these may run along x, y or z.
+// extended header, and sections of rows of columns. Columns, rows and sections may each run along
+// x, y or z.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,13 +15,13 @@ namespace {
 
 constexpr std::size_t header_bytes = 1024;
 
-// Offsets of fields.
+// Offsets of fields. Units: bytes.
 constexpr std::size_t counts_at = 0;  // columns, rows, sections
 constexpr std::size_t mode_at = 12;
-constexpr std::size_t starts_at = 16;     // of the same
+constexpr std::size_t starts_at = 16;     // of columns, rows, sections
 constexpr std::size_t intervals_at = 28;  // of the cell, along x, y and z
-constexpr std::size_t cell_at = 40;       // its edges, and from 52 on its angles
-constexpr std::size_t axes_at = 64;       // which axis columns, rows and sections run along, 1 to 3
+constexpr std::size_t cell_at = 40;       // its edges; at 52 its angles
+constexpr std::size_t axes_at = 64;       // axes of columns, rows and sections, 1 to 3
 constexpr std::size_t space_group_at = 88;
 constexpr std::size_t extended_bytes_at = 92;
 constexpr std::size_t imod_stamp_at = 152;
@@ -32,7 +33,7 @@ bool is_axis(std::int32_t axis) {
   return axis >= 1 && axis <= 3;
 }
 
-// By the machine stamp; old files have none, but their modes and axes are small numbers.
+// Decides by the machine stamp. Old files have none, but their modes and axes are small numbers.
 bool has_big_endian_header(ByteStream& stream) {
   const std::string_view head = stream.peek(header_bytes);
   if (head.size() < header_bytes) return false;
@@ -54,7 +55,7 @@ struct Storage {
   bool is_half = false;
 };
 
-// Programs of IMOD wrote bytes without sign before they had this flag.
+// Older programs of IMOD wrote unsigned bytes, before this flag existed.
 Storage storage_of(VolumeInfo& info, const std::filesystem::path& file, const HeaderBytes& header) {
   constexpr std::int32_t imod_stamp = 1146047817;
   constexpr std::int32_t has_sign = 1;
@@ -82,7 +83,7 @@ Storage storage_of(VolumeInfo& info, const std::filesystem::path& file, const He
   }
 }
 
-// The axis of space, 0 to 2, that columns, rows and sections run along.
+// Returns the axes of space, 0 to 2, along which columns, rows and sections run.
 std::array<std::size_t, 3> axes_of(VolumeInfo& info, const std::filesystem::path& file,
                                    const HeaderBytes& header) {
   const auto axis_numbers = integers(header, axes_at);
@@ -102,7 +103,7 @@ std::array<std::size_t, 3> axes_of(VolumeInfo& info, const std::filesystem::path
   return axes;
 }
 
-// Sections in the order in which they are stored, and how many volumes they are.
+// Returns sections in stored order, and the number of volumes that they form.
 ArrayShape shape_of(const std::filesystem::path& file, const HeaderBytes& header,
                     const std::array<std::size_t, 3>& axes) {
   const auto counts = integers(header, counts_at);
@@ -126,7 +127,7 @@ ArrayShape shape_of(const std::filesystem::path& file, const HeaderBytes& header
   return shape;
 }
 
-// The edges of the cell, of which the first runs along x and the second in the plane of x and y.
+// Returns the edges of the cell. The first runs along x, the second in the plane of x and y.
 Axes edges_of(const HeaderBytes& header) {
   constexpr double degree = 3.14159265358979323846 / 180;
   const auto lengths = header.reals(cell_at);
@@ -145,7 +146,7 @@ Axes edges_of(const HeaderBytes& header) {
   return edges;
 }
 
-// Where the map is: at ORIGIN. If that is 0, the first column, row and section count steps from
+// The map begins at ORIGIN. If ORIGIN is 0, the first column, row and section are counted from
 // those of the cell.
 DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header,
                        const std::array<std::size_t, 3>& axes) {

@@ -1,5 +1,5 @@
 // VTK's image in pieces: an XML file that lists other images (vti_reader.cpp) and their extents.
-// Neighbouring pieces share the points of their border, or more of them as ghosts.
+// Neighbouring pieces share the points of their border, or more points as ghosts.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -17,9 +17,9 @@ namespace {
 struct Piece {
   std::filesystem::path file;
   VtkExtent extent;
-  std::array<std::uint32_t, 3> first{}, dims{};  // voxels, in the whole
+  std::array<std::uint32_t, 3> first{}, dims{};  // in voxels of the whole
   std::unique_ptr<VolumeReader> volume = {};     // while its slices are read
-  std::uint32_t next = 0;                        // slice of it
+  std::uint32_t next = 0;                        // its next slice
 
   std::uint32_t end(std::size_t axis) const { return first[axis] + dims[axis]; }
   bool has_slice(std::uint32_t z) const { return first[2] <= z && z < end(2); }
@@ -27,8 +27,7 @@ struct Piece {
 
 class PiecesVolume final : public NumberedSlices {
  public:
-  /// info: of the whole. options: of the pieces. Throws unless all pieces can be opened and are
-  /// alike.
+  /// info: of the whole. options: of the pieces. Throws unless all pieces can be opened and match.
   PiecesVolume(std::filesystem::path file, VolumeInfo info, std::vector<Piece> pieces,
                VolumeOptions options)
       : NumberedSlices(std::move(file), std::move(info)),
@@ -64,9 +63,9 @@ class PiecesVolume final : public NumberedSlices {
     return volume;
   }
 
-  // Throws where a voxel of the slice is in no piece. These are in the order of x.
+  // Throws if a voxel of the slice is in no piece. Pieces are sorted by x.
   void require_covered(std::uint32_t slice) const {
-    std::vector<std::uint32_t> ends(info().dims[1]);  // of what is covered of each row
+    std::vector<std::uint32_t> ends(info().dims[1]);  // covered part of each row
     for (const Piece& piece : pieces_) {
       if (!piece.has_slice(slice)) continue;
       for (std::uint32_t y = piece.first[1]; y < piece.end(1); ++y)
@@ -103,7 +102,8 @@ VtkExtent extent_of(const std::filesystem::path& file, const pugi::xml_node& nod
   return vtk_extent(file, name, reals(file, name, node.attribute(name).value()));
 }
 
-// The pieces that hold samples: of an image in fewer pieces than processes, the others are empty.
+// Returns the pieces that hold samples. If an image has fewer pieces than processes, the others are
+// empty.
 std::vector<Piece> pieces_of(const std::filesystem::path& file, const pugi::xml_node& image,
                              const VtkExtent& whole) {
   std::vector<Piece> found;
@@ -145,7 +145,7 @@ std::unique_ptr<VolumeReader> open_pvti(ByteStream stream, const VolumeOptions& 
   const VtkExtent whole = extent_of(file, image, "WholeExtent");
   std::vector<Piece> pieces = pieces_of(file, image, whole);
 
-  // VTK writes the directions into the pieces alone.
+  // VTK writes the directions only into the pieces.
   VolumeInfo info = open_vti(open_content(pieces[0].file), options)->info();
   const bool is_of_cells = info.dims[0] != vtk_size(pieces[0].extent, 0, false);
   const auto size = [&](std::size_t axis) { return vtk_size(whole, axis, is_of_cells); };

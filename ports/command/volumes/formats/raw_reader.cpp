@@ -1,5 +1,5 @@
-// Headerless samples. The layout comes from the user, so the file must agree with it: what has a
-// header would otherwise be read as voxels.
+// Headerless samples. The user gives the layout, so the file must have exactly its size. Otherwise
+// a header would be read as voxels.
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,7 +23,7 @@ void require_no_header(ByteStream& stream) {
          "leave out --dims and --type, or skip its header with --skip-bytes");
 }
 
-// What the user may have meant, by the number of bytes in the file.
+// Suggests another layout for the number of bytes in the file.
 std::optional<std::string> proposal(const VolumeInfo& info, std::uint64_t bytes) {
   const std::uint64_t slice = info.slice_bytes();
   const std::uint64_t voxels = slice / sample_bytes(info.type) * info.dims[2];
@@ -37,7 +37,7 @@ std::optional<std::string> proposal(const VolumeInfo& info, std::uint64_t bytes)
          std::to_string(bytes / slice) + ", which fits the length";
 }
 
-// As far as the length is known: of compressed samples and of pipes at their end.
+// Checks the length if it is known. Compressed samples and pipes are checked at their end.
 void require_length(const ByteStream& stream, const VolumeInfo& info, const RawLayout& layout) {
   const auto left = stream.left();
   const std::uint64_t volume = volume_bytes(info);

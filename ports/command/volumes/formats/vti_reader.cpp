@@ -1,7 +1,7 @@
 // VTK's image and rectilinear grid in XML:
-// https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html.
-// The samples are in an element of their own, or after all elements, which is then no XML any more.
-// So what comes before them is cut off and parsed.
+// https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html. Samples are in an
+// element of their own, or behind all elements, where the file is no longer XML. Therefore only the
+// text before the samples is parsed.
 #include <algorithm>
 #include <utility>
 
@@ -18,10 +18,11 @@
 namespace discmc::command {
 namespace {
 
-// The elements before the samples, as they are in the file.
+// The text of the elements before the samples.
 class Head {
  public:
-  /// coordinate: of a grid, the axis whose coordinates the stream is then before, not the samples.
+  /// coordinate: for a grid, the axis whose coordinates follow in the stream, instead of the
+  /// samples.
   explicit Head(ByteStream& stream, std::optional<std::size_t> coordinate = std::nullopt)
       : file_(stream.file()), coordinate_(coordinate) {
     std::string text;
@@ -44,11 +45,11 @@ class Head {
   bool is_grid() const { return !root().child("RectilinearGrid").empty(); }
   pugi::xml_node image() const { return root().child(is_grid() ? "RectilinearGrid" : "ImageData"); }
   pugi::xml_node piece() const { return image().child("Piece"); }
-  /// Whether the samples are those of cells, between points: where points have none.
+  /// Whether the samples belong to cells between points. They do if points have none.
   bool is_of_cells() const { return !piece().child("PointData").find_child(is_of_samples); }
   /// Whether an array is declared as the scalars.
   bool has_scalars() const { return !std::string_view(scalars()).empty(); }
-  /// That one, or else the first.
+  /// Returns the declared array, or else the first one.
   pugi::xml_node array() const {
     if (coordinate_) {
       const auto arrays = piece().child("Coordinates").children("DataArray");
@@ -59,7 +60,7 @@ class Head {
     return has_scalars() ? data().find_child_by_attribute("DataArray", "Name", scalars())
                          : data().find_child(is_of_samples);
   }
-  /// The names of the other arrays that precede the samples, "b, c".
+  /// Returns the names of other arrays before the samples, such as "b, c".
   std::string other_arrays() const {
     std::string names;
     for (const char* kind : {"PointData", "CellData"})
@@ -89,7 +90,7 @@ class Head {
   pugi::xml_node data() const { return piece().child(is_of_cells() ? "CellData" : "PointData"); }
   const char* scalars() const { return data().attribute("Scalars").value(); }
 
-  // Appends what comes, up to the end of a tag.
+  // Appends the stream's text up to the end of a tag.
   void take_tag(ByteStream& stream, std::string& text) const {
     // The samples may precede the coordinates.
     const std::size_t max_header_bytes = std::size_t{1} << (coordinate_ ? 30 : 20);
@@ -111,7 +112,7 @@ class Head {
   bool is_appended_ = false;
 };
 
-// Which of several arrays was taken, or may have been.
+// Notes which of several arrays is the volume, if the choice is unclear.
 void note_arrays(VolumeInfo& info, const Head& head) {
   const std::string read = "array " + shown(head.array().attribute("Name").value()) + " is read, ";
   if (const std::string others = head.other_arrays(); !others.empty())
@@ -131,7 +132,7 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view type)
   fail_type(file, type);
 }
 
-// Their number of bytes precedes the samples or, if compressed, the number and sizes of blocks.
+// The header of the data: its size or, if compressed, the number and sizes of blocks.
 class Blocks {
  public:
   Blocks(ByteStream& stream, const Head& head, bool is_big_endian)
@@ -178,7 +179,7 @@ class Blocks {
   bool is_big_endian_;
 };
 
-// Goes to the data of the array, in the encoding that it has there. Returns whether that is base64.
+// Moves to the data of the array, in its encoding. Returns whether the encoding is base64.
 bool go_to_array(ByteStream& stream, const Head& head) {
   if (!head.is_appended()) return true;
   char c = 0;
@@ -192,7 +193,7 @@ bool go_to_array(ByteStream& stream, const Head& head) {
   return head.appended_encoding() == "base64";
 }
 
-// The samples of the array that the stream is before. info: its type and extents are known.
+// Opens the samples of the array that follows in the stream. info: its type and extents are set.
 std::unique_ptr<VolumeReader> open_array(ByteStream stream, const Head& head, VolumeInfo info,
                                          const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
@@ -217,7 +218,7 @@ std::unique_ptr<VolumeReader> open_array(ByteStream stream, const Head& head, Vo
     else
       blocks.go_to_compressed_samples(info.channels * bytes_of_all(info));
   }
-  // The length of the array is stored, and elements follow it.
+  // Other elements follow the array, whose length is stored.
   const auto no_note = [](ByteStream&) { return std::string(); };
   return channel_of(file, std::move(info), options.channel, [&](VolumeInfo all) {
     return std::make_unique<SliceStream>(std::move(all), std::move(stream), is_big_endian,
@@ -225,7 +226,7 @@ std::unique_ptr<VolumeReader> open_array(ByteStream stream, const Head& head, Vo
   });
 }
 
-// Coordinates of the points of a grid along an axis.
+// Reads the coordinates of a grid's points along an axis.
 std::vector<double> coordinates_of(const std::filesystem::path& file, std::size_t axis,
                                    std::uint32_t count) {
   ByteStream stream = open_content(file);

@@ -56,7 +56,7 @@ DeclaredPlace declared_place(const std::filesystem::path& file, const std::vecto
   std::copy(origin.begin(), origin.end(), place.origin.begin());
   Axes& directions = place.directions.emplace(coordinates);
   for (std::size_t i = 0; i < direction.size(); ++i) directions[i % 3][i / 3] = direction[i];
-  // The origin is that of the point with the number 0, half a step before the centre of a cell.
+  // The origin is the point with index 0, half a step before the centre of a cell.
   const double before = is_of_cells ? 0.5 : 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t row = 0; row < 3; ++row)

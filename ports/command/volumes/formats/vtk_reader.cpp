@@ -16,7 +16,7 @@ struct Header {
   bool is_text = false;
   std::vector<std::int64_t> sizes;
   std::int64_t samples = 0;
-  bool are_of_cells = false;  // between points, or else at points
+  bool are_of_cells = false;  // in cells between points, else at points
   DeclaredPlace place;
   std::string type;
   std::string components = "1";
@@ -114,7 +114,7 @@ class HeaderReader {
     while (!trimmed(line()).empty()) continue;
   }
 
-  // What VTK keeps beside the image, such as a time.
+  // Skips the field data beside the image, such as a time.
   void skip_field(std::int64_t arrays) {
     while (arrays > 0) {
       const std::string text = line();
@@ -155,7 +155,7 @@ class HeaderReader {
       header_.type = lower(found[2]);
       header_.components = "3";
     } else if (key == "color_scalars") {
-      // As bytes in binary files, and as fractions of 255 in text.
+      // Colours are bytes in binary files, and shares of 255 in text.
       expect_words(found, 3);
       if (header_.is_text)
         refuse("the samples are colours in text", "store them in binary, or with SCALARS");
@@ -178,7 +178,7 @@ class HeaderReader {
   bool are_arrays_next_ = false;
 };
 
-// Cells are one less along each axis than points, and their centres half a step behind these.
+// There is one cell less than points along each axis, and its centre is half a step behind a point.
 std::vector<std::int64_t> sizes(const Header& header) {
   std::vector<std::int64_t> sizes = header.sizes;
   for (std::int64_t& size : sizes) size -= header.are_of_cells ? 1 : 0;
@@ -192,7 +192,7 @@ DeclaredPlace place(const Header& header) {
   return place;
 }
 
-// Further arrays and their like. The decoder of text ends at the first word that is no number.
+// Notes further arrays. The decoder of text ends at the first word that is not a number.
 std::string note_of_rest(ByteStream& stream) {
   constexpr std::size_t max_shown = 256;
   std::string_view text = trimmed(stream.peek(max_shown));

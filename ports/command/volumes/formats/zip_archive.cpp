@@ -1,4 +1,4 @@
-// A zip of DICOM or pictures: unpacked into a folder for temporary files, and read from there.
+// A zip of DICOM or pictures: unpacked into a temporary folder and read from there.
 #include <system_error>
 
 #include "volumes/formats/readers.hpp"
@@ -33,8 +33,8 @@ std::optional<std::filesystem::path> archive_of(const std::filesystem::path& nam
 #ifdef DISCMC_WITH_LIBARCHIVE
 namespace {
 
-// The name that a member has in the folder: without what would lead out of it. Empty for what macOS
-// adds to archives of its own.
+// Returns a member's path in the folder, without parts that would leave it. Returns an empty path
+// for what macOS adds to archives.
 std::filesystem::path inner_path(const std::string& name) {
   std::filesystem::path inner;
   for (const std::filesystem::path& part : std::filesystem::path(name)) {
@@ -71,7 +71,8 @@ void unpack(const std::filesystem::path& zip, const std::filesystem::path& folde
     fail(zip, "the archive is damaged, or not a ZIP file", "copy or export it again");
 }
 
-// Where pictures are: goes into a folder that is alone, but for files that are none.
+// Finds the folder of pictures: descends while a folder is the only content, except files that are
+// not pictures.
 std::filesystem::path picture_folder(std::filesystem::path folder) {
   for (;;) {
     std::vector<std::filesystem::path> folders;
@@ -98,7 +99,7 @@ std::unique_ptr<VolumeReader> open_inside(const std::filesystem::path& zip,
                      "give a pattern, such as '" + (zip / "*.png").string() + "'");
 }
 
-// Without what is done to any volume, once.
+// Removes options that apply once to any volume.
 VolumeOptions whole(VolumeOptions options) {
   options.crop.reset();
   options.shrink = 1;

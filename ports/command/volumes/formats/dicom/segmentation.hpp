@@ -50,8 +50,7 @@ class Overlaps {
   // Each set of segments that shares a voxel has a number; 0 is the empty set.
   std::uint32_t number_with(std::uint32_t before, std::uint32_t segment);
 
-  std::map<std::uint32_t, std::set<std::uint32_t>>
-      neighbours_;  ///< segments that overlap a segment
+  std::map<std::uint32_t, std::set<std::uint32_t>> neighbours_;  ///< overlapping segments
   std::map<Set, std::uint32_t> numbers_ = {{{}, 0}};
   std::vector<Set> sets_ = {{}};
   std::vector<std::uint32_t> slice_;  ///< set number of each voxel

@@ -119,8 +119,7 @@ std::vector<std::size_t> distinguishing(const Siblings& stacks) {
 
 std::string vector_text(const Vector& vector) {
   std::string text;
-  for (const double component : vector)
-    text += ' ' + short_number(component + 0.0);  // + 0.0 avoids -0
+  for (const double component : vector) text += ' ' + short_number(component + 0.0);  // no -0
   return text;
 }
 

@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-// An attribute with its type and how many values it has.
+// An attribute with its type and its number of values.
 struct Attribute {
   Hdf5Handle id, type, space;
   std::size_t count = 0;
@@ -26,7 +26,7 @@ struct Attribute {
   }
 };
 
-// Texts of any form; empty where the attribute has none.
+// Returns texts of any form; empty if the attribute has none.
 std::vector<std::string> texts_of(const Hdf5Handle& object, const char* name) {
   const Attribute attribute(object, name);
   constexpr std::size_t max_bytes = 1 << 20;
@@ -51,7 +51,7 @@ std::vector<std::string> texts_of(const Hdf5Handle& object, const char* name) {
 
 std::vector<double> coordinates_of(const Hdf5Handle& scale) {
   constexpr hssize_t max_count = 1 << 20;
-  // NetCDF writes a scale for an axis without coordinates, too.
+  // NetCDF writes a scale even for an axis without coordinates.
   if (text_of(scale, "NAME").rfind("This is a netCDF dimension but", 0) == 0) return {};
   const Hdf5Handle space(H5Dget_space(scale.id()), H5Sclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
@@ -79,8 +79,8 @@ Hdf5Axis axis_of(const Hdf5Handle& scale) {
   return axis;
 }
 
-// As NeXus has them: names of datasets, in the group of the array or, in older files, in one text
-// of the array, "z:y:x".
+// Returns the names of axes in NeXus: datasets in the array's group or, in older files, one text of
+// the array, "z:y:x".
 std::vector<std::string> nexus_names(const Hdf5Handle& dataset, const Hdf5Handle& group) {
   auto names = texts_of(group, "axes");
   if (names.empty()) names = texts_of(dataset, "axes");

@@ -15,7 +15,7 @@ constexpr bool loads_plugins = false;
 constexpr bool loads_plugins = true;
 #endif
 
-// Errors are reported here, not by the library, which has this setting for each thread.
+// Silences the library, because discmc reports errors itself. The setting is per thread.
 void be_silent() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   if (!loads_plugins) H5PLset_loading_state(0);
@@ -33,14 +33,14 @@ Hdf5Handle creation_of(const Hdf5Handle& dataset) {
   return {H5Dget_create_plist(dataset.id()), H5Pclose};
 }
 
-// h5py stores truth values as an enumeration; returns the type of its whole numbers.
+// Returns the type of whole numbers for truth values, which h5py stores as an enumeration.
 Hdf5Handle number_type_of(const Hdf5Handle& dataset) {
   Hdf5Handle type = type_of(dataset);
   if (H5Tget_class(type.id()) == H5T_ENUM) type = {H5Tget_super(type.id()), H5Tclose};
   return type;
 }
 
-// Floating point of 16 bits is read as that of 32.
+// Floating point of 16 bits is read as 32 bits.
 std::optional<SampleType> sample_type_of(const Hdf5Handle& type) {
   const H5T_class_t kind = H5Tget_class(type.id());
   const std::size_t bytes = H5Tget_size(type.id());
@@ -63,8 +63,7 @@ std::optional<SampleType> sample_type_of(const Hdf5Handle& type) {
   }
 }
 
-// The type of whole slots: the native type of the library is a smaller one where a file uses fewer
-// bits.
+// Returns a type of full width. The library's native type is smaller if a file uses fewer bits.
 hid_t memory_type_of(SampleType type) {
   switch (type) {
     case SampleType::u8:
@@ -91,7 +90,7 @@ hid_t memory_type_of(SampleType type) {
   return H5I_INVALID_HID;
 }
 
-// Bits, as PyTables has truth values, become no other type.
+// Bits, which PyTables uses for truth values, convert to no other type.
 hid_t memory_type_of(const Hdf5Handle& dataset, SampleType type) {
   return H5Tget_class(type_of(dataset).id()) == H5T_BITFIELD ? H5T_NATIVE_B8 : memory_type_of(type);
 }
@@ -115,8 +114,8 @@ std::uint64_t product(const std::vector<hsize_t>& factors) {
   return std::accumulate(factors.begin(), factors.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-// A cache for all chunks that a region goes through, with this extent along each axis. If
-// these are as small as voxels, and too many to list, the cache of the library.
+// Returns a cache for all chunks that a region of this extent crosses. If chunks are as small as
+// voxels, and too many to list, returns the library's own cache.
 Hdf5Handle cache_of(const Hdf5Handle& dataset, const Hdf5Region& region) {
   Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   const Hdf5Handle creation = creation_of(dataset);
@@ -130,7 +129,7 @@ Hdf5Handle cache_of(const Hdf5Handle& dataset, const Hdf5Region& region) {
   constexpr std::uint64_t max_chunks = std::uint64_t{1} << 20;
   if (chunks > max_chunks) return access;
   const std::uint64_t bytes = chunks * product(chunk) * H5Tget_size(type_of(dataset).id());
-  constexpr std::size_t slots_a_chunk = 10;  // so that few chunks want the same place
+  constexpr std::size_t slots_a_chunk = 10;  // keeps collisions of chunks rare
   H5Pset_chunk_cache(access.id(), slots_a_chunk * chunks + 1, bytes, 1.0);
   return access;
 }
@@ -184,13 +183,13 @@ Hdf5Dataset::Hdf5Dataset(const std::filesystem::path& name, const Hdf5Handle& fi
 
 void Hdf5Dataset::expect(const Hdf5Handle& file, const Hdf5Region& region) {
   const Hdf5Handle access = cache_of(dataset_, region);
-  // What is open keeps the cache it has.
+  // An open dataset keeps its old cache.
   dataset_ = Hdf5Handle(H5I_INVALID_HID, H5Dclose);
   dataset_ = {H5Dopen2(file.id(), description_.path.c_str(), access.id()), H5Dclose};
 }
 
 bool Hdf5Dataset::read(const Hdf5Region& first, const Hdf5Region& count, void* samples) const {
-  be_silent();  // slices are read by one thread or another
+  be_silent();  // any thread may read slices
   const Hdf5Handle space = space_of(dataset_);
   const Hdf5Handle region(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
                           H5Sclose);

@@ -14,7 +14,7 @@
 namespace discmc::command {
 namespace {
 
-// As they are registered with the HDF Group.
+// The number that the HDF Group has registered.
 constexpr H5Z_filter_t lzf_filter = 32000;
 constexpr H5Z_filter_t blosc_filter = 32001;
 
@@ -29,7 +29,7 @@ Unpacked room_for(std::size_t count) {
   return {static_cast<unsigned char*>(H5allocate_memory(count, is_cleared)), count};
 }
 
-// Returns the number of bytes, as filters do: 0 for a failure.
+// Returns the number of bytes, or 0 after a failure, as HDF5 requires.
 std::size_t hand_over(const Unpacked& unpacked, std::size_t* room, void** buffer) {
   if (unpacked.bytes == nullptr) return 0;
   H5free_memory(*buffer);
@@ -38,10 +38,10 @@ std::size_t hand_over(const Unpacked& unpacked, std::size_t* room, void** buffer
   return unpacked.count;
 }
 
-// LZF, http://oldhome.schmorp.de/marc/liblzf.html: a byte n below 32 is followed by n + 1 literal
-// bytes. Others repeat earlier bytes. Their upper three bits encode how many, their lower five and
-// the next byte how far back. Calls take(bytes, count) for literal bytes and repeat(distance,
-// count). Returns whether all was well.
+// Parses LZF, http://oldhome.schmorp.de/marc/liblzf.html: a byte n below 32 precedes n + 1 literal
+// bytes. Other bytes repeat earlier ones: their upper three bits encode the count, their lower five
+// and the next byte the distance. Calls take(bytes, count) for literal bytes and repeat(distance,
+// count). Returns whether the data is valid.
 template <class Take, class Repeat>
 bool read_lzf(const unsigned char* in, std::size_t bytes, Take take, Repeat repeat) {
   const unsigned char* const end = in + bytes;
@@ -64,7 +64,7 @@ bool read_lzf(const unsigned char* in, std::size_t bytes, Take take, Repeat repe
   return true;
 }
 
-// How much there is, before there is room for it.
+// Computes the unpacked size before allocating memory.
 std::optional<std::size_t> unpacked_lzf_bytes(const unsigned char* in, std::size_t bytes) {
   std::size_t count = 0;
   const bool is_whole = read_lzf(
@@ -92,7 +92,7 @@ std::size_t unpack_lzf(unsigned flags, std::size_t, const unsigned*, std::size_t
         std::memcpy(out, from, more);
         out += more;
       },
-      // Byte by byte: what is repeated may reach into what it makes.
+      // Copies byte by byte, because the source may overlap its copy.
       [&out](std::size_t distance, std::size_t more) {
         for (; more > 0; --more, ++out) *out = *(out - distance);
         return true;
@@ -117,20 +117,20 @@ std::size_t unpack_blosc(unsigned flags, std::size_t, const unsigned*, std::size
 #endif
 
 void register_filter(H5Z_filter_t id, const char* name, H5Z_func_t unpack) {
-  // It packs nothing, but must report a failure when asked to: else no dataset can be made with it,
-  // as the tests do.
+  // The filter cannot pack, but must report this. Otherwise the tests could not make datasets with
+  // it.
   const H5Z_class2_t filter = {H5Z_CLASS_T_VERS, id, 1, 1, name, nullptr, nullptr, unpack};
   H5Zregister(&filter);
 }
 
-// A name as a part of a command; what a shell or Python could take for more than a name is not.
+// Quotes a name for a command, unless a shell or Python could interpret it.
 std::string quoted(const std::string& name, const char* otherwise) {
   constexpr std::string_view harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-";
   return name.find_first_not_of(harmless) == std::string::npos ? name : otherwise;
 }
 
-// Python brings what unpacks all others.
+// Python packages can unpack all other filters.
 [[noreturn]] void fail_filter(const std::filesystem::path& name, const std::string& array,
                               H5Z_filter_t filter) {
   fail(name,

@@ -1,4 +1,4 @@
-// What the library of HDF5 has opened.
+// Handles of objects that the HDF5 library has opened.
 #pragma once
 
 #include <hdf5.h>
@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// An identifier that is given back at the end. What could not be opened is none.
+/// Owns an identifier and closes it. A failed opening has no identifier.
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -33,11 +33,11 @@ class Hdf5Handle {
   Close close_;
 };
 
-/// Gives the library what unpacks LZF, and Blosc where discmc was built with it.
+/// Registers the filters that unpack LZF and, if discmc was built with Blosc, Blosc.
 void register_hdf5_filters();
 
-/// Returns the names of the filters that packed a dataset. Throws VolumeError where one of them is
-/// not here. name: of the file, array: of the dataset in it, for the remedy.
+/// Returns the names of the filters that packed a dataset. Throws VolumeError if a filter is
+/// missing. name: of the file, array: of the dataset, for the remedy.
 std::string hdf5_filters(const std::filesystem::path& name, const std::string& array,
                          const Hdf5Handle& creation);
 

@@ -13,7 +13,7 @@ namespace {
 struct Link {
   std::string name;
   H5L_type_t type;
-  std::size_t bytes;  // of the name in it
+  std::size_t bytes;  // of the name
 };
 
 herr_t collect(hid_t, const char* name, const H5L_info_t* info, void* links) {
@@ -67,8 +67,8 @@ class Walk {
   std::set<std::pair<std::string, haddr_t>> seen_;
 };
 
-// A text of the library. get(text, bytes): writes as much as there is room for, and returns how
-// long the text is.
+// Returns a text of the library. get(text, bytes): writes as much as fits, and returns the full
+// length.
 template <class Get>
 std::string text_of(Get get) {
   const ssize_t length = get(nullptr, 0);
@@ -78,7 +78,7 @@ std::string text_of(Get get) {
   return text;
 }
 
-// Where the library looks for a source.
+// Whether the library would find a source.
 bool is_there(const std::filesystem::path& source, const std::filesystem::path& folder) {
   const auto exists = [](const std::filesystem::path& file) {
     std::error_code ignored;

@@ -1,4 +1,4 @@
-// HDF5, https://docs.hdfgroup.org/hdf5/: many arrays in a file, of which one is the volume.
+// HDF5, https://docs.hdfgroup.org/hdf5/: a file with many arrays, one of which is the volume.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -21,11 +21,11 @@
 namespace discmc::command {
 namespace {
 
-// Regions along an axis of the array, one after the other.
+// Successive regions along an axis of the array.
 class Hdf5Blocks final : public NumberedSlices {
  public:
-  /// info: its slices are the regions. first, count: the first region, and how far each goes. axis:
-  /// along which the next one lies.
+  /// info: its slices are the regions. first, count: the first region, and its extents. axis: along
+  /// which the next region lies.
   Hdf5Blocks(std::filesystem::path name, VolumeInfo info, Hdf5Dataset dataset, Hdf5Region first,
              Hdf5Region count, std::size_t axis)
       : NumberedSlices(std::move(name), std::move(info)),
@@ -50,7 +50,7 @@ class Hdf5Blocks final : public NumberedSlices {
   std::size_t axis_;
 };
 
-// VTK's image: https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/.
+// VTK's image data: https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/.
 constexpr const char* vtk_group = "/VTKHDF";
 constexpr const char* vtk_times = "/VTKHDF/Steps";
 constexpr const char* vtk_points = "/VTKHDF/PointData/";
@@ -73,14 +73,14 @@ std::string vtk_letters(const Hdf5Handle& file, const Hdf5Description& array) {
   return count > letters.size() || count + 1 < letters.size() ? "" : letters.substr(0, count);
 }
 
-// Its cells are unsigned numbers in a signed type: /t00000/s00/0/cells.
+// BigDataViewer stores unsigned cells in a signed type: /t00000/s00/0/cells.
 bool is_of_big_data_viewer(const Hdf5Description& array) {
   return array.type == SampleType::i16 && array.path.rfind("/t", 0) == 0 &&
          array.path.find("/s") != std::string::npos &&
          std::filesystem::path(array.path).filename() == "cells";
 }
 
-// Programs whose arrays are not volumes as stored.
+// Refuses programs whose arrays differ from their volumes.
 void require_plain(const std::filesystem::path& name, const Hdf5Handle& file,
                    const std::vector<Hdf5Description>& datasets) {
   const auto holds = [&datasets](std::string_view begin) {
@@ -100,7 +100,7 @@ void require_plain(const std::filesystem::path& name, const Hdf5Handle& file,
          "write an image, e.g. with ParaView's filter Resample To Image");
 }
 
-// What MATLAB and VTK keep for themselves is none.
+// Internal arrays of MATLAB and VTK do not count.
 std::vector<NamedArray> arrays_of(const std::vector<Hdf5Description>& datasets) {
   std::vector<NamedArray> arrays;
   for (const Hdf5Description& dataset : datasets)
@@ -115,7 +115,7 @@ std::string list_of(const std::vector<std::string>& links) {
          (links.size() > 1 ? " and " + std::to_string(links.size() - 1) + " more" : "");
 }
 
-// The path of the array that is asked for, or else of the only one.
+// Returns the path of the requested array, or else of the only one.
 std::string path_of(const std::filesystem::path& name, const Hdf5Handle& file,
                     const Hdf5Contents& contents) {
   std::string asked = array_name(name).array;
@@ -131,7 +131,7 @@ std::string path_of(const std::filesystem::path& name, const Hdf5Handle& file,
   return only_array(name, arrays);
 }
 
-// The axes as ilastik and vigra store them, in JSON: [{"key": "z", ...}, ...].
+// Returns the axes that ilastik and vigra store as JSON: [{"key": "z", ...}, ...].
 std::string letters_of(const Hdf5Dataset& dataset) {
   std::string letters;
 #ifdef DISCMC_WITH_JSON
@@ -148,7 +148,7 @@ std::string letters_of(const Hdf5Dataset& dataset) {
   return letters;
 }
 
-// By the names of all axes, if each is known and none is twice.
+// Returns letters by the names of all axes, if each is recognised and none repeats.
 std::string letters_of(const std::vector<Hdf5Axis>& axes) {
   std::string letters;
   for (const Hdf5Axis& axis : axes) {
@@ -159,7 +159,7 @@ std::string letters_of(const std::vector<Hdf5Axis>& axes) {
   return letters;
 }
 
-// Small files may claim large slices: what is unpacked of a byte has a limit.
+// Limits the unpacked size per byte, because small files may declare large slices.
 void require_possible(const std::filesystem::path& file, const VolumeInfo& info) {
   constexpr std::uint64_t max_of_a_byte = 16384;
   std::error_code error;
@@ -171,7 +171,7 @@ void require_possible(const std::filesystem::path& file, const VolumeInfo& info)
          "export or copy the file again");
 }
 
-// Attributes for the three axes of space as they are stored; an image may lack the first.
+// Attributes list the three axes of space in stored order; an image may lack the first.
 void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vector<double>& sizes,
                 const std::vector<double>& offsets, const char* unit) {
   if (sizes.size() != 3) return;
@@ -184,7 +184,7 @@ void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vect
   }
 }
 
-// The numbers of a dataset, if it has this many.
+// Returns the numbers of a dataset, if it has this many.
 template <std::size_t count>
 std::optional<std::array<double, count>> numbers_in(const Hdf5Handle& file,
                                                     const std::string& path) {
@@ -198,8 +198,8 @@ std::optional<std::array<double, count>> numbers_in(const Hdf5Handle& file,
   return numbers;
 }
 
-// DREAM.3D keeps the geometry in a group of its own, with x first and without a unit. DREAM3D-NX
-// keeps it in attributes of the group around that of the array.
+// Reads the geometry of DREAM.3D, which is in a group of its own, with x first and without a unit.
+// DREAM3D-NX stores it in attributes of the array's parent group.
 void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path) {
   const std::string outer = std::filesystem::path(path).parent_path().parent_path().string();
   const Hdf5Handle group(H5Gopen2(file.id(), outer.c_str(), H5P_DEFAULT), H5Gclose);
@@ -215,7 +215,7 @@ void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::stri
   if (const auto numbers = numbers_in<3>(file, geometry + "ORIGIN")) place.origin = *numbers;
 }
 
-// ITK keeps the geometry beside its array, with x first, in the space of the patient.
+// Reads the geometry of ITK, which is beside the array, with x first, in the space of the patient.
 void take_itk_image(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path,
                     const ArrayLayout& layout) {
   constexpr std::string_view voxels = "/VoxelData";
@@ -283,7 +283,7 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
   return place;
 }
 
-// By slices, or where the samples of one are far from each other, by regions along the slowest
+// Reads by slices. If the samples of a slice are far apart, reads by regions along the slowest
 // axis.
 std::unique_ptr<VolumeReader> volume_of(const std::filesystem::path& name, VolumeInfo info,
                                         Hdf5Dataset dataset, const Hdf5Handle& file,

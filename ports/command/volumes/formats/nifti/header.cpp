@@ -1,5 +1,5 @@
 // https://nifti.nimh.nih.gov/pub/dist/src/niftilib/nifti1.h and .../nifti2/nifti2.h. Analyze 7.5
-// has the fields that NIfTI-1 took over, no orientation and no magic number.
+// has the fields that NIfTI-1 adopted, but no orientation and no magic number.
 #include "header.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::int32_t bytes_of_1 = 348;
 constexpr std::int32_t bytes_of_2 = static_cast<std::int32_t>(nifti2::bytes);
 
-// Count numbers of the file, one behind the other.
+// Reads `count` successive numbers of the file.
 template <class Number, class Numbers>
 void take(const HeaderBytes& bytes, std::size_t offset, Numbers& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -67,7 +67,7 @@ NiftiHeader header_of_1(const std::filesystem::path& file, const HeaderBytes& by
   const std::string_view magic = bytes.text(344, 4);
   header.is_one_file = magic == std::string_view("n+1\0", 4);
   if (!header.is_one_file && magic != std::string_view("ni1\0", 4)) {
-    // NIfTI gave the other fields of Analyze another meaning. Only SPM writes a slope.
+    // NIfTI redefined the other fields of Analyze. Only SPM writes a slope.
     header.format = "Analyze 7.5";
     header.unit = NiftiUnit::millimetre;
     if (!std::isfinite(header.scl_slope) || header.scl_slope < 0) header.scl_slope = 0;
@@ -85,7 +85,7 @@ NiftiHeader header_of_1(const std::filesystem::path& file, const HeaderBytes& by
   return header;
 }
 
-// By the numbers of the sample types.
+// Indexed by sample type.
 constexpr std::int16_t datatypes[] = {2, 256, 512, 4, 768, 8, 1280, 1024, 16, 64};
 
 }  // namespace
@@ -120,7 +120,7 @@ std::array<std::array<double, 4>, 3> qform_of(const NiftiHeader& header) {
   auto [b, c, d] = header.quatern;
   const double square = 1 - (b * b + c * c + d * d);
   const double a = square < 1e-7 ? 0 : std::sqrt(square);
-  if (a == 0) {  // half a turn, whose axis rounding made longer
+  if (a == 0) {  // half a turn, whose axis is too long by rounding
     const double length = std::sqrt(b * b + c * c + d * d);
     b /= length, c /= length, d /= length;
   }

@@ -26,7 +26,7 @@ inline constexpr std::size_t bytes = 540;
 /// Units of lengths. The other bits of the field are a unit of time.
 enum class NiftiUnit { none = 0, metre = 1, millimetre = 2, micrometre = 3 };
 
-/// What is read of any version. Fields have the names of the standard.
+/// The common fields of all versions, with the names of the standard.
 struct NiftiHeader {
   std::string format;
   bool is_one_file = false;
@@ -49,16 +49,16 @@ struct NiftiHeader {
 /// Reads a header of any version and byte order. Throws VolumeError.
 NiftiHeader read_nifti_header(ByteStream& stream);
 
-/// The matrix of the qform, as srow.
+/// Returns the matrix of the qform, in the form of srow.
 std::array<std::array<double, 4>, 3> qform_of(const NiftiHeader& header);
 
-/// Nothing if no type of samples has this number.
+/// Returns nothing if no sample type has this number.
 std::optional<SampleType> type_of_nifti(int datatype);
 std::int16_t nifti_type_of(SampleType type);
 
-/// Reads the extensions behind a header, up to `end`, and adds their labels: those of Connectome
-/// Workbench and Caret, whose XML TotalSegmentator writes as well. What is of no use is left, and
-/// so is an extension that does not fit. stream: right behind the header; is then anywhere up to
+/// Reads the extensions behind a header, up to `end`, and adds their labels. They are written by
+/// Connectome Workbench, Caret, and TotalSegmentator, which uses Caret's XML. Other extensions, and
+/// those that do not fit, are ignored. stream: directly behind the header; afterwards at most at
 /// the end. Units: bytes of the stream.
 void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_endian,
                            VolumeInfo& info);

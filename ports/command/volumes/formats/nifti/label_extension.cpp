@@ -18,8 +18,7 @@
 namespace discmc::command {
 namespace {
 
-// XML that has no name of its own, that of a comment, and Caret's: TotalSegmentator writes the
-// first.
+// XML without a code of its own (TotalSegmentator), a comment, and Caret.
 constexpr std::array<std::uint32_t, 3> codes_of_text = {0, 6, 30};
 
 #ifdef DISCMC_WITH_PUGIXML
@@ -53,8 +52,7 @@ void take_labels(std::string_view, VolumeInfo& info) {
 void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_endian,
                            VolumeInfo& info) {
   constexpr std::uint32_t head_bytes = 8;
-  constexpr std::uint32_t max_bytes = 1U
-                                      << 24;  // of an extension: a name for each of 100,000 labels
+  constexpr std::uint32_t max_bytes = 1U << 24;  // per extension: names of 100,000 labels
   std::array<char, 4> has_extensions{};
   if (stream.position() + has_extensions.size() > end ||
       stream.read(has_extensions.data(), has_extensions.size()) < has_extensions.size() ||

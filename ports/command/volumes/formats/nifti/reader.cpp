@@ -1,4 +1,4 @@
-// NIfTI-1 and -2, and Analyze 7.5, as one file or a pair of header and data.
+// NIfTI-1 and -2, and Analyze 7.5, as one file or as a pair of header and data.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -20,8 +20,8 @@
 namespace discmc::command {
 namespace {
 
-// Returns the other file of a pair: a.img or a packed one, such as a.img.gz, for a.hdr, and the
-// other way round.
+// Returns the other file of a pair: for a.hdr, a.img or a packed one such as a.img.gz, and vice
+// versa.
 std::filesystem::path partner(const std::filesystem::path& asked, const char* extension) {
   const std::filesystem::path file = without_packing(asked).replace_extension(extension);
   for (const std::string_view ending : packed_endings) {
@@ -52,7 +52,7 @@ SampleType sample_type(const std::filesystem::path& file, int datatype) {
   fail_type(file, name);
 }
 
-// Bytes side by side in colours, or 1.
+// Returns the number of adjacent bytes per voxel for colours, or 1.
 std::uint64_t channels_of(int datatype) {
   constexpr int rgb = 128, rgba = 2304;
   return datatype == rgb ? 3 : datatype == rgba ? 4 : 1;
@@ -66,7 +66,7 @@ void set_samples(VolumeInfo& info, const std::filesystem::path& file, const Nift
   if (dimensions < 1 || dimensions > 7)
     fail(file, "the header gives " + std::to_string(dimensions) + " dimensions", "correct dim[0]");
   std::vector<std::int64_t> sizes(header.dim.begin() + 1, header.dim.begin() + 1 + dimensions);
-  // Some leave 0 for axes behind the third that they do not have.
+  // Some programs leave 0 for unused axes behind the third.
   if (sizes.size() > 3)
     std::replace(sizes.begin() + 3, sizes.end(), std::int64_t{0}, std::int64_t{1});
   set_dims(info, file, sizes, options.frame);
@@ -78,10 +78,10 @@ const char* name_of(NiftiUnit unit) {
   return names[static_cast<std::size_t>(unit)];
 }
 
-// Rows of a matrix that leads from voxels to space.
+// The rows of a matrix from voxels to space.
 using Rows = decltype(NiftiHeader::srow);
 
-// Returns whether they span a space.
+// Sets the place. Returns whether the rows span a space.
 bool take(const Rows& rows, DeclaredPlace& place) {
   Axes steps{};
   for (std::size_t row = 0; row < 3; ++row)
@@ -93,7 +93,7 @@ bool take(const Rows& rows, DeclaredPlace& place) {
   return true;
 }
 
-// Otherwise the sides of the qform are not used.
+// Notes that the qform is mirrored against the sform. It is not used otherwise.
 void note_mirrored(VolumeInfo& info, const NiftiHeader& header, const DeclaredPlace& place) {
   DeclaredPlace other;
   if (header.qform_code > 0 && take(qform_of(header), other) &&
@@ -101,8 +101,8 @@ void note_mirrored(VolumeInfo& info, const NiftiHeader& header, const DeclaredPl
     note(info, "the qform is mirrored against the sform, and ignored; check which side is left");
 }
 
-// Returns the 4 x 4 numbers of a variable in a MATLAB file of version 4, by columns. Nothing if the
-// file has no such variable. https://www.mathworks.com/help/pdf_doc/matlab/matfile_format.pdf
+// Returns a 4 x 4 variable of a MATLAB file of version 4, by columns, or nothing if the file has no
+// such variable. https://www.mathworks.com/help/pdf_doc/matlab/matfile_format.pdf
 std::optional<std::array<double, 16>> matrix_of(std::string_view bytes, std::string_view name) {
   constexpr std::size_t head_bytes = 20, matrix_bytes = 16 * sizeof(double);
   while (bytes.size() >= head_bytes) {
@@ -123,8 +123,8 @@ std::optional<std::array<double, 16>> matrix_of(std::string_view bytes, std::str
   return std::nullopt;
 }
 
-// SPM has the place in a file beside an Analyze pair: in `mat`, or in `M` with x the other way
-// round. Voxels are counted from 1.
+// Reads SPM's matrix from the file beside an Analyze pair: `mat`, or `M` with reversed x. Voxels
+// are counted from 1.
 bool take_spm_matrix(VolumeInfo& info, std::filesystem::path file, DeclaredPlace& place) {
   std::ifstream in(without_packing(file).replace_extension(".mat"), std::ios::binary);
   if (!in) return false;
@@ -144,7 +144,7 @@ bool take_spm_matrix(VolumeInfo& info, std::filesystem::path file, DeclaredPlace
   return false;
 }
 
-// As SPM and nibabel read it: x runs from right to left.
+// Follows SPM and nibabel: x runs from right to left.
 bool take_origin(VolumeInfo& info, const NiftiHeader& header, DeclaredPlace& place) {
   for (std::size_t i = 0; i < 3; ++i)
     if (header.originator[i] < 1 || header.originator[i] > static_cast<int>(info.dims[i]))
@@ -181,7 +181,7 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Nif
   set_place(info, place, options);
 }
 
-// A slope that is no number is none, as for nibabel and FSL.
+// A slope that is not a number means no scaling, as in nibabel and FSL.
 void set_values(VolumeInfo& info, const std::filesystem::path& file, const NiftiHeader& header) {
   const bool has_slope = std::isfinite(header.scl_slope) && header.scl_slope != 0;
   if (!std::isfinite(header.scl_slope))
@@ -193,7 +193,7 @@ std::uint64_t data_offset(const std::filesystem::path& file, const NiftiHeader& 
   if (header.vox_offset < 0)
     fail(file, "vox_offset is " + std::to_string(header.vox_offset), "correct the header");
   const auto offset = static_cast<std::uint64_t>(header.vox_offset);
-  // Some programs leave 0 for "right after the header".
+  // Some programs leave 0 for "directly after the header".
   const std::uint64_t least = header.format == "NIfTI-2" ? 544 : 352;
   return header.is_one_file && offset < least ? least : offset;
 }

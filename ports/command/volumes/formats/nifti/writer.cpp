@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-constexpr std::uint64_t header_bytes = nifti2::bytes + 4;  // and that nothing follows it
+constexpr std::uint64_t header_bytes = nifti2::bytes + 4;  // 4 bytes: no extension follows
 
 bool has_space(const VolumeInfo& info) {
   return info.placement && info.placement->space != Space::scanner;
@@ -21,7 +21,7 @@ VolumePlacement placement_of(const VolumeInfo& info) {
   return info.placement.value_or(along_coordinates(info.spacing_mm));
 }
 
-// In the byte order of this machine.
+// Writes the header in the byte order of this machine.
 std::vector<char> header_of(const VolumeInfo& info) {
   std::vector<char> header(header_bytes);
   const auto put = [&header](std::size_t offset, auto value) {

@@ -1,4 +1,4 @@
-// Volumes as NIfTI-2 files.
+// Writes volumes as NIfTI-2 files.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace discmc::command {
 
-/// Writes the volume as one file, with its scale and where it lies. A volume without a frame
-/// lies in that of the format. volume: not yet read; is at the end. progress: called with the
-/// number of slices that are written.
+/// Writes the volume as one file, with its scale and place. A volume without a space gets the
+/// scanner's. volume: not yet read; this function reads all of it. progress: called with the number
+/// of slices written.
 void write_nifti(VolumeReader& volume, const std::function<void(std::uint32_t)>& progress,
                  std::ostream& out);
 
-/// How many bytes that are.
+/// Returns the size of this file. Units: bytes.
 std::uint64_t nifti_bytes(const VolumeInfo& info);
 
 }  // namespace discmc::command

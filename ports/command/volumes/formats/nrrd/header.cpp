@@ -11,7 +11,7 @@
 namespace discmc::command {
 namespace {
 
-// The specification's fields; anything else may be a misspelt one that matters.
+// Accepts only the fields of the specification; any other may be misspelt and matter.
 std::string field_name(const std::filesystem::path& file, std::string_view text) {
   constexpr std::pair<std::string_view, std::string_view> second_spellings[] = {
       {"datafile", "data file"},      {"lineskip", "line skip"}, {"byteskip", "byte skip"},
@@ -80,7 +80,7 @@ NrrdHeader read_nrrd_header(ByteStream& stream) {
     }
     const std::string name = field_name(file, text.substr(0, colon));
     header.fields.add(name, trimmed(text.substr(colon + 1)));
-    // The rest of the header is the list.
+    // The list is the rest of the header.
     if (name == "data file" && header.fields.text(name).rfind("LIST", 0) == 0) break;
   }
   return header;

@@ -1,4 +1,4 @@
-// The header of an NRRD file, where its volume lies, and what 3D Slicer stores about segments:
+// The header of an NRRD file, the place of its volume, and 3D Slicer's segments:
 // https://slicer.readthedocs.io/en/latest/developer_guide/modules/segmentations.html
 #pragma once
 
@@ -18,15 +18,15 @@
 
 namespace discmc::command {
 
-/// The keys Segment0_Name, Segment0_LabelValue, Segment0_Color and Segment0_Layer, and those of
-/// further numbers.
+/// The keys Segment0_Name, Segment0_LabelValue, Segment0_Color and Segment0_Layer, also with other
+/// numbers.
 class SegmentLabels {
  public:
-  /// Takes a key and its value; of no use are other keys.
+  /// Stores a key and its value; ignores other keys.
   void take(std::string_view key, std::string_view value);
 
-  /// Adds the segments that have a name and are in one of the volumes of the file, with a note of
-  /// those that are not. info: its frames are known.
+  /// Adds the segments that have a name and belong to a volume of the file, and notes the others.
+  /// info: its frames are set.
   void describe(VolumeInfo& info) const;
 
  private:
@@ -39,24 +39,25 @@ class SegmentLabels {
 };
 
 struct NrrdHeader {
-  HeaderFields fields;  ///< by the first of their spellings, in lower case
+  HeaderFields fields;  ///< keyed by the first spelling, in lower case
   SegmentLabels segments{};
-  bool closed = false;  ///< by the empty line that data may follow
+  bool closed = false;  ///< whether an empty line, which data may follow, ends it
 };
 
-/// Reads the header, or up to a list of data files, which is its rest.
+/// Reads the header up to its end or to a list of data files.
 NrrdHeader read_nrrd_header(ByteStream& stream);
 
-/// Whether a word of the header is one of those.
+/// Whether a word of the header is one of `names`.
 inline bool one_of(std::string_view text, std::initializer_list<std::string_view> names) {
   return std::find(names.begin(), names.end(), text) != names.end();
 }
 
-/// Throws the refusal of an axis that is none of space. what: follows the number of the axis.
+/// Throws VolumeError for an axis that is not an axis of space. what: follows the number of the
+/// axis.
 [[noreturn]] void fail_axis(const HeaderFields& fields, std::size_t axis, const std::string& what);
 
-/// As the header declares it: by directions, spacings, bounds of axes or thicknesses. info: with
-/// the extents; gets the notes.
+/// Returns the place declared by directions, spacings, bounds of axes or thicknesses. info: has the
+/// extents, and receives notes.
 DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields);
 
 }  // namespace discmc::command

@@ -11,7 +11,7 @@
 namespace discmc::command {
 namespace {
 
-// The units of three axes, each in double quotes or a word.
+// Parses the units of three axes, each in double quotes or a single word.
 std::array<std::string, 3> units_of(std::string_view text) {
   std::array<std::string, 3> units;
   for (std::string& unit : units) {
@@ -25,7 +25,7 @@ std::array<std::string, 3> units_of(std::string_view text) {
   return units;
 }
 
-// Parses "(x,y,z)"; of four numbers, as ITK writes volumes of several times, the last is of time.
+// Parses "(x,y,z)". ITK writes a fourth number, the time.
 std::vector<double> vector_of(const HeaderFields& fields, std::string_view name,
                               std::string_view text) {
   const std::filesystem::path& file = fields.file();
@@ -47,7 +47,7 @@ std::vector<double> vector_of(const HeaderFields& fields, std::string_view name,
   return numbers;
 }
 
-// What is given for each axis must be there for all of them.
+// A field per axis must have a value for every axis.
 void expect_per_axis(const HeaderFields& fields, std::string_view name, std::size_t found) {
   const std::size_t axes = words(fields.text("sizes")).size();
   if (found < std::min<std::size_t>(axes, 3))
@@ -77,7 +77,7 @@ Axes directions_of(const HeaderFields& fields) {
 
 using Numbers = std::array<std::optional<double>, 3>;
 
-// What a field has for each of the first three axes, where it is not "nan": not known.
+// Returns the values of a field for the first three axes; "nan" means unknown.
 Numbers numbers_of(const HeaderFields& fields, std::string_view name) {
   const auto parts = words(fields.text(name));
   if (!parts.empty()) expect_per_axis(fields, name, parts.size());
@@ -89,7 +89,7 @@ Numbers numbers_of(const HeaderFields& fields, std::string_view name) {
   return numbers;
 }
 
-// The bounds of axes define a spacing, and an origin if there is no other.
+// The bounds of axes define a spacing, and the origin if no field does.
 void set_bounds(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& place) {
   const Numbers mins = numbers_of(fields, "axis mins");
   const Numbers maxs = numbers_of(fields, "axis maxs");
@@ -112,7 +112,7 @@ void set_bounds(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& pla
   if (fields.has("axis mins")) place.space_units = place.axis_units;
 }
 
-// The place without directions.
+// Sets the place of a volume without directions.
 void set_spacings(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& place) {
   place.spacing = numbers_of(fields, "spacings");
   if (!fields.has("space origin")) set_bounds(info, fields, place);
@@ -124,7 +124,7 @@ void set_spacings(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& p
   }
 }
 
-// What the coordinates of the file are.
+// Sets the space of the coordinates.
 void set_space(VolumeInfo& info, std::string_view text, DeclaredPlace& place) {
   std::string name = lower(text);
   constexpr std::string_view time = "-time";
@@ -146,7 +146,7 @@ void set_space(VolumeInfo& info, std::string_view text, DeclaredPlace& place) {
 DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
   DeclaredPlace place;
   set_space(info, fields.text("space"), place);
-  // The space of patients is in millimetres, as programs assume that write no unit.
+  // The space of patients is in millimetres, as programs that write no unit assume.
   if (place.space != Space::scanner) place.set_unit("mm");
   if (fields.has("units")) place.axis_units = units_of(fields.text("units"));
   if (fields.has("space units")) place.space_units = units_of(fields.text("space units"));

@@ -1,7 +1,7 @@
 // NRRD0001 to NRRD0005, https://teem.sourceforge.net/nrrd/format.html.
 //
-// The header is parsed here and not by libteem. Its parser (1.12) hands the name in "data file:" to
-// sprintf as a format: "%99999d" writes past its heap block.
+// The header is parsed here, not by libteem. Its parser (1.12) passes the name in "data file:" to
+// sprintf as a format: "%99999d" writes beyond its heap block.
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +36,7 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view text)
   fail_type(file, text);
 }
 
-// The next entry of a field that has one an axis: "in quotes", (in brackets), or a word.
+// Returns the next entry of a field with one entry per axis: "in quotes", (in brackets), or a word.
 std::string_view first_entry(std::string_view text) {
   const char first = text.front();
   if (first != '"' && first != '(') return text.substr(0, text.find_first_of(" \t"));
@@ -48,11 +48,11 @@ bool is_of_space(std::string_view kind) {
   return one_of(lower(kind), {"domain", "space", "time", "none", "???"});
 }
 
-// What the first axis is where it is none of space: its samples lie side by side.
+// The meaning of a first axis that is not an axis of space: its samples are adjacent.
 enum class SideBySide { nothing, volumes, channels };
 
-// A list is of volumes: the layers of a segmentation, as 3D Slicer has them. Vectors and colours
-// have channels.
+// A list means volumes: the layers of a segmentation in 3D Slicer. Vectors and colours mean
+// channels.
 SideBySide side_by_side(const HeaderFields& fields) {
   const auto kinds = words(fields.text("kinds"));
   const auto directions = words(fields.text("space directions"));
@@ -63,7 +63,7 @@ SideBySide side_by_side(const HeaderFields& fields) {
   return has_no_direction ? SideBySide::volumes : SideBySide::nothing;
 }
 
-// Makes the first axis the last one, where lists of volumes are otherwise.
+// Moves the first axis to the end, where other files have the list of volumes.
 void move_first_axis_back(HeaderFields& fields) {
   for (const char* name : {"sizes", "spacings", "space directions", "units", "kinds", "labels",
                            "thicknesses", "axis mins", "axis maxs", "centerings"}) {
@@ -97,7 +97,7 @@ void set_sizes(VolumeInfo& info, const HeaderFields& fields, const VolumeOptions
     if (!is_of_space(kinds[axis])) fail_axis(fields, axis, "is of kind " + shown(kinds[axis]));
 }
 
-// Returns the encoding by the first of its names.
+// Returns the first name of the encoding.
 std::string encoding_of(const HeaderFields& fields) {
   std::string encoding = lower(fields.needed("encoding"));
   if (encoding == "raw") return encoding;
@@ -117,7 +117,8 @@ bool is_stored_big_endian(const HeaderFields& fields, SampleType type) {
   return endian == "big";
 }
 
-// Leaves a data file at its first sample. Lines are skipped in the file, bytes in its content.
+// Moves to the first sample of a data file. Lines are skipped in the packed file, bytes in its
+// content.
 ByteStream at_data(ByteStream data, const HeaderFields& fields, SampleType type,
                    std::uint64_t bytes_in_file) {
   const std::string encoding = encoding_of(fields);
@@ -142,7 +143,7 @@ ByteStream at_data(ByteStream data, const HeaderFields& fields, SampleType type,
   return data;
 }
 
-// Takes the samples from behind the header, or from the files that it names.
+// Opens the samples behind the header, or in the files that the header names.
 ByteStream open_data(ByteStream& header, std::string_view name, const HeaderFields& fields,
                      VolumeInfo& info) {
   const std::uint64_t bytes = bytes_of_all(info);
@@ -156,7 +157,7 @@ ByteStream open_data(ByteStream& header, std::string_view name, const HeaderFiel
   return joined(header.file(), files, info, open);
 }
 
-// As it is stored: one volume, in whose rows the samples of all are side by side.
+// Returns the stored form: one volume, whose rows hold the adjacent samples of all volumes.
 VolumeInfo stored(const std::filesystem::path& file, const VolumeInfo& info) {
   VolumeInfo all = of_all_components(
       file, info, info.frames * info.channels,

@@ -16,7 +16,7 @@ std::optional<Srgb> colour_of(std::string_view text) {
   return colour_of_shares({parts[0], parts[1], parts[2]});
 }
 
-// A value of NRRD has line feeds and backslashes as \n and \\.
+// NRRD encodes line feeds and backslashes in values as \n and \\.
 std::string unescaped(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -35,7 +35,7 @@ void SegmentLabels::take(std::string_view key, std::string_view value) {
   if (end == std::string_view::npos || key.substr(0, begin.size()) != begin) return;
   const std::string_view part = key.substr(end);
   const std::string text = unescaped(trimmed(value));
-  // The second is what Slicer called it before version 5.
+  // Slicer used the second name before version 5.
   if (part == "_SourceRepresentation" || part == "_MasterRepresentation")
     is_fractional_ = text == "Fractional labelmap";
   const auto number = whole_number<std::uint32_t>(key.substr(begin.size(), end - begin.size()));
@@ -56,7 +56,7 @@ void SegmentLabels::describe(VolumeInfo& info) const {
   std::size_t outside = 0;
   std::string first_outside;
   for (const auto& [number, segment] : segments_) {
-    // Before Slicer had labels, every segment was a layer of its own, in which it is 1.
+    // Before Slicer had labels, every segment was a layer of its own, with value 1.
     const bool is_old = !segment.label && !segment.layer;
     const auto label = is_old ? LabelValue(1) : label_value(segment.label.value_or(""));
     const auto layer =

@@ -1,5 +1,5 @@
 // NumPy's .npy, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html: a magic
-// number, a version and a dictionary of Python that describes how one array is stored.
+// number, a version and a Python dictionary that describes the storage of one array.
 #include "header.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::string read_dictionary(ByteStream& stream) {
   return text;
 }
 
-// Returns what follows a key of the dictionary, up to the end of its value.
+// Returns the text after a key of the dictionary, up to the end of its value.
 std::string_view value_of(const std::filesystem::path& file, std::string_view dictionary,
                           const std::string& key) {
   const std::size_t at = dictionary.find("'" + key + "':");

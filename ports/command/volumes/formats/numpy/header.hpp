@@ -13,19 +13,19 @@
 namespace discmc::command {
 
 struct NumpyHeader {
-  std::string type;  ///< as NumPy has it: "<u2"
+  std::string type;  ///< NumPy's name: "<u2"
   ArrayShape shape;
 };
 
-/// The array that a stream holds. format: for people.
+/// Returns the volume of the array in a stream. format: for people.
 std::unique_ptr<VolumeReader> numpy_volume(ByteStream stream, const std::string& format,
                                            const VolumeOptions& options);
 
 /// Reads up to the first sample. Throws VolumeError.
 NumpyHeader read_numpy_header(ByteStream& stream);
 
-/// The type of samples of which each is one number; floating point of 16 bits is read as that of
-/// 32.
+/// The sample type of a NumPy type with one number per sample. 16-bit floating point is read as 32
+/// bits.
 struct NumpyType {
   SampleType type = SampleType::u8;
   bool is_big_endian = false;

@@ -1,4 +1,4 @@
-// Arrays of NumPy, .npy: the file does not name its axes.
+// NumPy arrays, .npy, whose axes have no names.
 #include <memory>
 #include <string>
 #include <utility>
@@ -52,7 +52,7 @@ std::unique_ptr<ArchiveSource> opened(const std::filesystem::path& file) {
       file, [](archive* reader) { archive_read_support_format_zip(reader); });
 }
 
-// The name of the array in a member: "/volume" of "volume.npy"; empty of other members.
+// Returns the name of the array in a member: "/volume" for "volume.npy"; empty for other members.
 std::string name_of_array(const std::string& member) {
   if (member.size() <= ending.size() ||
       member.compare(member.size() - ending.size(), ending.size(), ending) != 0)
@@ -60,7 +60,7 @@ std::string name_of_array(const std::string& member) {
   return "/" + member.substr(0, member.size() - ending.size());
 }
 
-// A member that is read while the archive is kept for those to come.
+// Reads a member and keeps the archive open for the next one.
 class Member final : public ByteSource {
  public:
   explicit Member(ArchiveSource& archive) : archive_(archive) {}
@@ -92,7 +92,7 @@ std::vector<NamedArray> arrays_of(const std::filesystem::path& file) {
 std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
                                        const VolumeOptions& options) {
   const ArrayName parts = array_name(name);
-  // For its refusal of what is no file.
+  // Opens the file so that errors of the path are reported.
   if (ByteStream(parts.file).is_read_once())
     fail(name, "archives of NumPy cannot be read from a pipe", "store it in a file");
   const std::string asked =

@@ -1,4 +1,4 @@
-// BMP, as Windows and SkyScan's NRecon write it: uncompressed, of grey values, numbers of a
+// Uncompressed BMP, as Windows and SkyScan's NRecon write it, with grey values, numbers of a
 // palette, or colours. https://learn.microsoft.com/windows/win32/gdi/bitmap-storage
 #include <algorithm>
 #include <cstring>
@@ -15,11 +15,11 @@ namespace {
 
 constexpr const char* remedy = "copy or export the file again";
 
-// The headers: little-endian fields by their places in the file.
+// The headers: little-endian fields at fixed offsets.
 class BmpHeader {
  public:
   BmpHeader(const std::filesystem::path& file, std::istream& in) : file_(file) {
-    constexpr std::size_t max_bytes = 138;  // of version 5
+    constexpr std::size_t max_bytes = 138;  // with a header of version 5
     bytes_.resize(max_bytes);
     in.read(bytes_.data(), static_cast<std::streamsize>(max_bytes));
     bytes_.resize(static_cast<std::size_t>(in.gcount()));
@@ -41,7 +41,7 @@ class BmpHeader {
     if (is_of_os2() || field(38, 4) == 0 || field(42, 4) == 0) return std::nullopt;
     return Resolution{{1.0 * field(38, 4), 1.0 * field(42, 4)}, mm_of_metre};
   }
-  /// The place of the palette, and its bytes and colours.
+  /// Returns the offset of the palette.
   std::uint64_t palette_at() const { return 14 + std::uint64_t{header_bytes()}; }
   std::uint32_t colour_bytes() const { return is_of_os2() ? 3 : 4; }
   std::uint32_t colours() const {
@@ -98,7 +98,7 @@ class BmpFile final : public SinglePicture {
         unpack_bits(row.data(), picture.width, bmp.bits(), out);
         resolve_greys(greys_, out, picture.width);
       } else {
-        // Blue comes first, and may be followed by a byte that is none.
+        // Blue comes first. A fourth byte is unused.
         take_channel(row.data(), picture.width, 1, bmp.bits() / 8, 2 - channel, out);
       }
     }

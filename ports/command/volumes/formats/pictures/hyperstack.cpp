@@ -26,7 +26,7 @@ std::string range(std::uint64_t first, std::uint64_t count) {
   return count == 1 ? begin : begin + " to " + std::to_string(first + count - 1);
 }
 
-// "0 to 2 'left', 3 'right'", of the first stacks.
+// Lists the first stacks, such as "0 to 2 'left', 3 'right'".
 std::string list_of(const std::vector<Hyperstack>& stacks) {
   constexpr std::size_t max_listed = 6;
   std::string list;

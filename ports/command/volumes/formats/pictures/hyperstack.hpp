@@ -1,5 +1,5 @@
-// Pages of picture files as volumes: slices of channels at times, as OME-XML, ImageJ and tifffile
-// describe them.
+// The volumes in pages of picture files: slices, channels and times, described by OME-XML, ImageJ
+// or tifffile.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace discmc::command {
 
-/// A page, the first is 0, of one of several files.
+/// A page, from 0, of one of several files.
 struct Page {
   std::uint32_t file = 0;
   std::uint32_t number = 0;
@@ -20,7 +20,7 @@ struct Page {
 
 /// Successive pages of a file that are successive planes of a hyperstack.
 struct PageRun {
-  std::uint32_t file = 0;  ///< of those of the hyperstack
+  std::uint32_t file = 0;  ///< index among the hyperstack's files
   std::uint64_t first_page = 0;
   std::uint64_t first_plane = 0;
   std::uint64_t count = 0;
@@ -29,20 +29,20 @@ struct PageRun {
 /// An axis of a hyperstack.
 struct PlaneAxis {
   std::uint64_t size = 1;
-  std::uint64_t step = 1;  ///< Units: planes from one to the next along the axis
+  std::uint64_t step = 1;  ///< distance of neighbours along the axis; Units: planes
 };
 
-/// Planes as volumes of one size, one for each channel and frame. A frame is a time, or what else
-/// distinguishes volumes.
+/// Planes that form volumes of one size, one per channel and frame. A frame is a time, or another
+/// index of volumes.
 struct Hyperstack {
-  std::string name;  ///< for people, may be empty
+  std::string name;  ///< for people; may be empty
   PlaneAxis slices, channels, frames;
   std::vector<std::filesystem::path> files;
   std::vector<PageRun> runs;
   std::vector<std::string> channel_names;
-  /// Width and height that the description promises.
+  /// Width and height in the description.
   std::optional<std::array<std::uint64_t, 2>> plane_size;
-  /// Units: millimetres; nothing along an axis whose spacing is not described.
+  /// Units: millimetres; nothing if the spacing along an axis is not described.
   std::array<std::optional<double>, 3> spacing_mm{};
   /// The voxel at the origin of the coordinates. Units: voxels.
   std::array<double, 3> origin_voxel{};
@@ -52,33 +52,33 @@ struct Hyperstack {
   std::vector<std::string> notes;
 };
 
-/// Sets the steps of axes that are stored in this order, the fastest first: "czt". Letters other
-/// than c, z and t have no meaning.
+/// Sets the steps of axes stored in this order, the fastest first: "czt". Ignores letters other
+/// than c, z and t.
 void set_order(Hyperstack& stack, std::string_view order);
 
-/// Takes all planes as those along one axis: 'c', 'z' or 't'.
+/// Treats all planes as planes along one axis: 'c', 'z' or 't'.
 void set_axis(Hyperstack& stack, char axis);
 
-/// A further remedy if several channels or frames have one slice each.
+/// A further remedy if channels or frames have only one slice each.
 constexpr const char* if_slices = "; if they are slices, give --axes zyx";
 
-/// Returns the number of planes, or the greatest number where it is beyond that.
+/// Returns the number of planes, limited to the maximum of the type.
 std::uint64_t planes(const Hyperstack& stack);
 
 /// A volume of a file, without its channel.
 struct ChosenFrame {
   const Hyperstack* stack = nullptr;
-  std::uint64_t frame = 0;   ///< of this stack
-  std::uint64_t frames = 0;  ///< of all stacks of the file
+  std::uint64_t frame = 0;   ///< index in `stack`
+  std::uint64_t frames = 0;  ///< total of all stacks
 };
 
-/// Returns the frame that is asked for, counted through all stacks. Throws when there is none, and
-/// when there are several and none is asked for.
+/// Returns the requested frame, counted through all stacks. Throws if it does not exist, or if
+/// there are several frames and none is requested.
 ChosenFrame chosen_frame(const std::filesystem::path& file, const std::vector<Hyperstack>& stacks,
                          std::optional<std::uint32_t> frame);
 
-/// Returns the pages of a volume, first slice to last. Throws when one is missing, or described
-/// twice. Limit: all pages of all runs exist.
+/// Returns the pages of a volume, from the first slice to the last. Throws if a page is missing or
+/// described twice. Limit: all pages of all runs exist.
 std::vector<Page> pages_of(const std::filesystem::path& file, const Hyperstack& stack,
                            std::uint64_t channel, std::uint64_t frame);
 

@@ -1,7 +1,7 @@
-// JPEG, by libjpeg, whose errors come as long jumps.
+// JPEG with libjpeg, which reports errors by long jumps.
 #include <cstddef>
 #include <cstdio>
-// Needs both before it.
+// jpeglib.h needs both headers above.
 #include <jpeglib.h>
 
 #include <jerror.h>
@@ -19,7 +19,7 @@
 namespace discmc::command {
 namespace {
 
-// The message of libjpeg, and where it jumps on an error.
+// The message of libjpeg, and the target of its jump after an error.
 struct Damage : jpeg_error_mgr {
   std::jmp_buf place;
   char text[JMSG_LENGTH_MAX];
@@ -31,12 +31,12 @@ extern "C" void give_up(j_common_ptr jpeg) {
   std::longjmp(damage->place, 1);
 }
 
-// A warning is of data that is replaced by grey.
+// A warning means that libjpeg has replaced data by grey.
 extern "C" void take_message(j_common_ptr jpeg, int level) {
   if (level < 0 && jpeg->err->msg_code != JWRN_EXTRANEOUS_DATA) give_up(jpeg);
 }
 
-// The orientation that the markers have: in EXIF, which is the first directory of a TIFF file.
+// Returns the orientation from EXIF, which is in the first directory of an embedded TIFF file.
 std::uint64_t orientation_of(const jpeg_marker_struct* marker) {
   using namespace std::literals;
   constexpr std::uint64_t tag = 0x0112, entry_bytes = 12;
@@ -115,7 +115,7 @@ class JpegFile final : public SinglePicture {
     if (stream_ != nullptr) std::fclose(std::exchange(stream_, nullptr));
   }
 
-  // What jumps has no local objects.
+  // A function that may jump has no local objects.
   bool read_header() {
     if (setjmp(damage_.place) != 0) return false;
     jpeg_create_decompress(&jpeg_);

@@ -1,4 +1,4 @@
-// Pictures, as slices of a volume: PNG, TIFF, JPEG and BMP files.
+// Picture files as slices of a volume: PNG, TIFF, JPEG and BMP.
 #pragma once
 
 #include <array>
@@ -17,32 +17,32 @@
 
 namespace discmc::command {
 
-/// Pixels of a unit of length, mostly of a print.
+/// Pixels per unit of length, mostly for printing.
 struct Resolution {
   std::array<double, 2> pixels{};
   double unit_mm = 0;  ///< 0 if there is no unit
 };
 constexpr double mm_of_inch = 25.4, mm_of_centimetre = 10, mm_of_metre = 1000;
 
-/// What a picture is.
+/// The description of a picture.
 struct PictureHeader {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   SampleType type = SampleType::u8;
-  /// Samples of a pixel: several of colours.
+  /// Samples per pixel: several for colours.
   std::uint32_t channels = 1;
-  /// For people, or none.
+  /// Names for people, or empty.
   std::vector<std::string> channel_names = {};
-  /// Whether low values are the bright ones.
+  /// Whether low values are bright.
   bool is_inverted = false;
-  /// The colours whose numbers the samples are; none of grey values.
+  /// The palette, if samples are indexes of colours; empty for grey values.
   Palette palette = {};
-  /// Whether the first column is the right one, and the first row the lowest.
+  /// Whether columns begin at the right, and rows at the bottom.
   std::array<bool, 2> runs_backwards = {};
   std::optional<Resolution> resolution = {};
 };
 
-/// A file of pictures. What it cannot be read as is thrown as VolumeError.
+/// A file of pictures. Throws VolumeError if it cannot be read.
 class PictureFile {
  public:
   PictureFile() = default;
@@ -50,12 +50,12 @@ class PictureFile {
   PictureFile& operator=(const PictureFile&) = delete;
   virtual ~PictureFile() = default;
 
-  /// The volumes in it, at least one. axes: what its pages are, as in VolumeOptions; otherwise as
-  /// the file describes them.
+  /// Returns the volumes in the file, at least one. axes: the meaning of pages, as in
+  /// VolumeOptions; empty: as the file describes them.
   virtual std::vector<Hyperstack> hyperstacks(const std::string& axes) = 0;
   virtual PictureHeader header(std::uint32_t page) = 0;
-  /// Writes the samples of a channel, rows as they are stored, in native byte order. Size: of
-  /// samples, as in the header.
+  /// Writes the samples of a channel in native byte order, with rows as stored. Size: of samples,
+  /// as in the header.
   virtual void read(std::uint32_t page, std::uint32_t channel, unsigned char* samples) = 0;
 };
 
@@ -77,10 +77,10 @@ class SinglePicture : public PictureFile {
   std::filesystem::path file_;
 };
 
-/// The kind of a file by its first bytes. Throws as ByteStream.
+/// Returns the kind of a file by its first bytes. Throws like ByteStream.
 PictureKind kind_of(const std::filesystem::path& file);
 
-/// Opens a picture by its first bytes.
+/// Opens a picture of the kind that its first bytes indicate.
 std::unique_ptr<PictureFile> open_picture(const std::filesystem::path& file);
 
 std::unique_ptr<PictureFile> open_png(const std::filesystem::path& file);
@@ -88,7 +88,7 @@ std::unique_ptr<PictureFile> open_tiff(const std::filesystem::path& file);
 std::unique_ptr<PictureFile> open_jpeg(const std::filesystem::path& file);
 std::unique_ptr<PictureFile> open_bmp(const std::filesystem::path& file);
 
-/// The names of the channels of colours.
+/// The names of colour channels.
 inline const std::vector<std::string> rgb_names = {"red", "green", "blue"};
 inline const std::vector<std::string> rgba_names = {"red", "green", "blue", "alpha"};
 inline const std::vector<std::string> grey_alpha_names = {"grey", "alpha"};

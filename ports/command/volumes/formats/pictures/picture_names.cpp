@@ -15,7 +15,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Takes a number off the front, without its leading zeros.
+// Removes a number from the front, and returns it without leading zeros.
 std::string_view take_number(std::string_view& text) {
   const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
   std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
@@ -24,7 +24,7 @@ std::string_view take_number(std::string_view& text) {
   return number;
 }
 
-// The values of the one number in which the names differ; empty where they differ in more.
+// Returns the values of the only number in which the names differ; empty if they differ in more.
 std::vector<std::uint64_t> varying_numbers(const std::vector<std::filesystem::path>& files) {
   const NumberedName first(files.front()), last(files.back());
   if (last.numbers.size() != first.numbers.size()) return {};
@@ -108,7 +108,7 @@ std::vector<std::filesystem::path> picture_files(const std::filesystem::path& fo
 }
 
 void sort_naturally(std::vector<std::filesystem::path>& files) {
-  // Equal but for zeros: by the plain order, for the same one everywhere.
+  // Names that differ only in zeros keep plain order, so that the result is deterministic.
   std::sort(files.begin(), files.end());
   std::stable_sort(files.begin(), files.end(),
                    [](const auto& a, const auto& b) { return is_before(a.native(), b.native()); });

@@ -1,4 +1,4 @@
-// PNG, by libpng, whose errors come as long jumps.
+// PNG with libpng, which reports errors by long jumps.
 #include <png.h>
 
 #include <csetjmp>
@@ -93,7 +93,7 @@ class PngFile final : public SinglePicture {
     if (stream_ != nullptr) std::fclose(std::exchange(stream_, nullptr));
   }
 
-  // What jumps has no local objects.
+  // A function that may jump has no local objects.
   bool read_header() {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_init_io(png_, stream_);
@@ -102,7 +102,7 @@ class PngFile final : public SinglePicture {
   }
   bool read_rows(png_bytepp rows) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_set_packing(png_);  // samples of 1, 2 and 4 bits as bytes, their values kept
+    png_set_packing(png_);  // unpacks samples of 1, 2 and 4 bits to bytes, with equal values
     if (!is_native_big_endian()) png_set_swap(png_);
     png_read_image(png_, rows);
     png_read_end(png_, nullptr);
@@ -114,7 +114,7 @@ class PngFile final : public SinglePicture {
   png_infop info_ = nullptr;
   std::string damage_;
   Palette greys_;
-  std::vector<unsigned char> pixels_;  // of several channels
+  std::vector<unsigned char> pixels_;  // of all channels
 };
 
 }  // namespace

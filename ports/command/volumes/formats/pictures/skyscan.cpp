@@ -15,7 +15,7 @@ bool begins_with(const std::string& text, const std::string& begin) {
   return text.rfind(begin, 0) == 0;
 }
 
-// A section: "key=value" a line.
+// Returns a section of the log: one "key=value" per line.
 std::map<std::string, std::string> section(const std::filesystem::path& log,
                                            std::string_view name) {
   std::map<std::string, std::string> values;
@@ -66,7 +66,7 @@ std::optional<SkyScanLog> skyscan_log(const std::filesystem::path& slice) {
     if (lower(file.extension().string()) != ".log" ||
         !begins_with(slice.stem().string(), file.stem().string()))
       continue;
-    // The longest name is that of the part nearest to the slice.
+    // Among several logs, the longest name is the part nearest to the slice.
     const bool is_nearer =
         !found || file.stem().native().size() > found->file.stem().native().size();
     if (auto log = is_nearer ? parsed(file) : std::nullopt) found = std::move(log);

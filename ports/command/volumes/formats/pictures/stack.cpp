@@ -16,7 +16,7 @@ namespace {
 
 using Files = std::vector<std::filesystem::path>;
 
-// Small files may claim large pictures: what is decoded of a byte has a limit.
+// Limits the decoded size per byte, because small files may declare large pictures.
 void require_possible(const std::filesystem::path& file, const PictureHeader& header) {
   constexpr std::uint64_t max_of_a_byte = 16384;
   const std::uint64_t bytes =
@@ -29,7 +29,7 @@ void require_possible(const std::filesystem::path& file, const PictureHeader& he
          "copy or export the file again");
 }
 
-// Files that describe each other as a set are read by one of them.
+// Whether files describe each other as a set, so that one of them reads all.
 bool is_set(const std::filesystem::path& source, const std::filesystem::path& file,
             const Hyperstack& described, const Files& files) {
   const bool is_alone = std::all_of(described.files.begin(), described.files.end(),
@@ -44,7 +44,7 @@ bool is_set(const std::filesystem::path& source, const std::filesystem::path& fi
   return true;
 }
 
-// ---- pictures that are alike ----
+// ---- pictures of one kind ----
 
 bool differ(double a, double b) {
   constexpr double of_rounding = 1e-3;
@@ -56,7 +56,7 @@ std::string text_of(const PictureHeader& header) {
          std::string(name(header.type));
 }
 
-// What a later picture has that the first has not; empty where they are alike.
+// Returns a property in which a later picture differs from the first; empty if none.
 std::string difference(const PictureHeader& first, const PictureHeader& other) {
   if (other.channels != first.channels)
     return std::to_string(other.channels) + " channels instead of " +
@@ -74,7 +74,7 @@ bool have_other_pixels(const PictureHeader& first, const PictureHeader& other) {
          differ(a.unit_mm, b.unit_mm);
 }
 
-// Compares pictures with the first of a stack.
+// Compares pictures with the first one of a stack.
 class Alike {
  public:
   Alike(const Stack& stack, const VolumeOptions& options) : stack_(stack), options_(options) {}
@@ -177,7 +177,7 @@ class StackBuilder {
     }
   }
 
-  // Headers of pages of a file, and of others that it names.
+  // Headers of pages in a file, and in others that it names.
   class Headers {
    public:
     Headers(const std::filesystem::path& file, PictureFile& opened)

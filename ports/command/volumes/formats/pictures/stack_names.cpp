@@ -33,14 +33,14 @@ std::size_t values(const Names& names, std::size_t number) {
   return different.size();
 }
 
-// ---- one kind of names, in natural order ----
+// ---- names of one kind, in natural order ----
 
-using Numbers = std::set<std::size_t>;  // by their place in the names
+using Numbers = std::set<std::size_t>;  // by position in the names
 
 struct Count {
-  Numbers counting;         // another in each file
-  Numbers others;           // that vary
-  std::size_t largest = 0;  // the one of the most values
+  Numbers counting;         // a different value in each file
+  Numbers others;           // that vary otherwise
+  std::size_t largest = 0;  // position with the most values
 };
 
 Count count(const Names& names) {
@@ -57,7 +57,7 @@ Count count(const Names& names) {
   return count;
 }
 
-// Compares what the names have at these places.
+// Compares the values of names at these positions.
 class Earlier {
  public:
   explicit Earlier(const Numbers& places) : places_(places) {}
@@ -86,8 +86,8 @@ bool has_even_steps(const Names& names, std::size_t place) {
                      [&steps](std::uint64_t step) { return step == steps[1]; });
 }
 
-// Whether what counts the files grows with the names, or falls. Otherwise one of them must count
-// evenly, as dates and the like beside it do not.
+// Whether all counting numbers rise or fall with the names, or at least one does so in even steps.
+// Others, such as dates, need not.
 bool is_one_order(const Names& names, const Count& count) {
   const auto is_in_order = [&names](std::size_t place) {
     const Numbers one = {place};
@@ -100,7 +100,7 @@ bool is_one_order(const Names& names, const Count& count) {
          });
 }
 
-// The numbers that may be any in one of the stacks.
+// Returns the numbers that may vary within a stack.
 Numbers numbers_of_stack(const Names& names, const Count& count) {
   if (count.counting.empty()) return {count.largest};
   Numbers any = count.counting;
@@ -121,7 +121,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// A name in which some numbers may be any, from the number `first` to the text behind `last`.
+// Returns the name with wildcards for some numbers, from number `first` to the text behind `last`.
 std::string pattern(const NumberedName& name, const Numbers& any, const std::string& wildcard) {
   std::string result = escaped(name.texts[0]);
   for (std::size_t i = 0; i < name.digits.size(); ++i)
@@ -129,7 +129,7 @@ std::string pattern(const NumberedName& name, const Numbers& any, const std::str
   return result;
 }
 
-// The short forms first.
+// Returns patterns, the short forms first.
 std::vector<std::string> patterns(const NumberedName& name, const Numbers& any) {
   const std::string whole = pattern(name, any, "*");
   const std::size_t first = whole.find('*'), last = whole.rfind('*');
@@ -147,7 +147,7 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-// A pattern of these files, and of no others in their folder.
+// Returns a pattern that matches these files, and no others in their folder.
 std::optional<std::string> pattern_of(const Names& names, const Numbers& any,
                                       const std::filesystem::path& folder) {
   if (any.empty()) return std::nullopt;
@@ -164,7 +164,7 @@ std::optional<std::string> pattern_of(const Names& names, const Numbers& any,
   return std::nullopt;
 }
 
-// How to name one of the stacks: that of the first name.
+// Returns how to name the stack of the first file.
 std::string remedy(const Names& names, const std::filesystem::path& folder) {
   const Numbers any = numbers_of_stack(names, count(names));
   Names stack;
@@ -215,7 +215,7 @@ void require_one_stack(const std::filesystem::path& source,
     if (is_new) kinds.emplace_back();
     kinds[kind->second].push_back(name);
   }
-  if (kinds.size() == files.size()) return;  // nothing is counted: their order is all there is
+  if (kinds.size() == files.size()) return;  // without counting numbers, the order of names decides
   if (kinds.size() > 1) fail_kinds(source, kinds, folder);
   const Names& names = kinds[0];
   const Count of_names = count(names);

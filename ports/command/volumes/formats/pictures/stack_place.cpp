@@ -29,7 +29,7 @@ std::string note_of_resolution(const Resolution& resolution) {
   return text.str();
 }
 
-// The spacing in SkyScan's log, if the log describes these slices.
+// Returns the spacing in SkyScan's log, if the log describes these slices.
 Spacing spacing_of_log(const Stack& stack, VolumeInfo& info) {
   const auto log = skyscan_log(stack.files[0]);
   if (!log) return {};
@@ -48,7 +48,7 @@ Spacing spacing_of(const Stack& stack, VolumeInfo& info) {
   const auto& resolution = stack.header.resolution;
   if (!is_given(spacing) && resolution && resolution->unit_mm > 0)
     note(info, note_of_resolution(*resolution));
-  // Pixels are mostly square, and voxels cubes.
+  // Assumes square pixels and cubic voxels.
   if (!spacing[1]) spacing[1] = spacing[0];
   if (spacing[0] && !spacing[2]) {
     spacing[2] = spacing[0];

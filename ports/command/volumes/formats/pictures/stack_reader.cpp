@@ -1,5 +1,5 @@
-// A stack of pictures as a volume: a slice a picture, in the order of their names, or as the file
-// describes its pages.
+// A stack of pictures as a volume: one picture per slice in the order of names, or pages in the
+// order that the file describes.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 
 using Files = std::vector<std::filesystem::path>;
 
-// All of one kind.
+// Throws unless all files are of one kind.
 void require_one_kind(const std::filesystem::path& source, const Files& files) {
   std::map<PictureKind, Files> kinds;
   for (const auto& file : files) kinds[kind_of_name(file)].push_back(file);
@@ -34,7 +34,7 @@ void require_one_kind(const std::filesystem::path& source, const Files& files) {
       "give a pattern of one kind, such as '" + (most->front().parent_path() / any).string() + "'");
 }
 
-// SkyScan's overview lies beside its slices.
+// Omits SkyScan's overviews, which are beside the slices.
 void leave_out_overviews(Files& files, VolumeInfo& info) {
   const auto overviews = std::stable_partition(
       files.begin(), files.end(), [](const auto& file) { return !is_overview_name(file); });
@@ -44,7 +44,7 @@ void leave_out_overviews(Files& files, VolumeInfo& info) {
   files.erase(overviews, files.end());
 }
 
-// If each file is a slice, missing names are missing slices.
+// Treats missing names as missing slices, if each file is a slice.
 void close_gaps(const std::filesystem::path& source, bool allow_gaps, Stack& stack,
                 VolumeInfo& info) {
   if (stack.files.size() != stack.pages.size() || stack.described.files.size() > 1) return;

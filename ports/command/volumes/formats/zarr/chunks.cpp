@@ -50,7 +50,7 @@ ChunkBytes widened(const ChunkBytes& halves) {
 
 }  // namespace
 
-// The file of a chunk, or of the shard that contains it.
+// Returns the file of a chunk, or of the shard that contains it.
 std::filesystem::path ZarrChunks::file_of(PerAxis chunk) const {
   std::string name;
   for (std::size_t axis = 0; axis < chunk.size(); ++axis) {

@@ -1,4 +1,4 @@
-// The chunks of an array of Zarr, of which each is a file, or one of many in a shard.
+// The chunks of a Zarr array: each is a file, or a part of a shard.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ class ZarrChunks {
 
   const ZarrDescription& array() const { return array_; }
 
-  /// Returns the samples of a chunk, in native byte order and in the order of axes of
-  /// array(); nothing if it is missing. Throws VolumeError where it is damaged.
+  /// Returns the samples of a chunk, in native byte order and the order of array()'s axes; nothing
+  /// if it is missing. Throws VolumeError if the chunk is damaged.
   std::optional<ChunkBytes> read(const PerAxis& chunk);
 
  private:
-  // In a shard.
+  // The location of a chunk in a shard.
   struct Place {
     std::uint64_t offset, bytes;
   };

@@ -23,7 +23,7 @@ constexpr std::size_t checksum_bytes = 4;
   fail(chunk, "the chunk is damaged" + (what.empty() ? what : ": " + what), "copy the file again");
 }
 
-// Castagnoli's polynomial, as RFC 3720 has it.
+// Castagnoli's polynomial, from RFC 3720.
 std::uint32_t crc32c(const ChunkBytes& bytes, std::size_t count) {
   std::uint32_t crc = ~std::uint32_t{0};
   for (std::size_t i = 0; i < count; ++i) {
@@ -75,7 +75,7 @@ ChunkBytes unblosced(const std::filesystem::path& chunk, const ChunkBytes&, std:
 }  // namespace
 
 std::optional<ZarrCodec> zarr_codec(std::string_view name) {
-  // As extensions that zarr-python 3 names for the codecs of version 2.
+  // zarr-python 3 uses this prefix for the codecs of version 2.
   constexpr std::string_view prefix = "numcodecs.";
   if (name.substr(0, prefix.size()) == prefix) name.remove_prefix(prefix.size());
   constexpr std::pair<std::string_view, ZarrCodec> names[] = {{"gzip", ZarrCodec::gzip},
@@ -91,7 +91,7 @@ std::optional<ZarrCodec> zarr_codec(std::string_view name) {
 void undo(const ZarrFilter& filter, ChunkBytes& bytes) {
   if (const std::size_t size = filter.shuffled_bytes; size > 1) {
     const ChunkBytes apart = bytes;
-    const std::size_t count = bytes.size() / size;  // what is left behind them is as it was
+    const std::size_t count = bytes.size() / size;  // the remaining bytes stay unchanged
     for (std::size_t i = 0; i < count * size; ++i) bytes[i] = apart[i % size * count + i / size];
   }
   if (!filter.delta) return;
@@ -114,7 +114,7 @@ void undo(const ZarrFilter& filter, ChunkBytes& bytes) {
 
 ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,
                    const std::vector<ZarrCodec>& codecs, std::size_t bytes) {
-  // No codec makes more of a byte: what a chunk claims is not believed.
+  // Limits the decoded size per byte, because a chunk may declare any size.
   constexpr std::size_t max_of_a_byte = 65536;
   if (bytes / max_of_a_byte > packed.size())
     fail(chunk,
@@ -122,7 +122,7 @@ ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,
              std::to_string(packed.size()),
          "copy the file again");
   for (std::size_t i = codecs.size(); i-- > 0;) {
-    // What the codecs before this one had made of the samples.
+    // Earlier codecs may have added checksums to the samples.
     const auto checksums = std::count(
         codecs.begin(), codecs.begin() + static_cast<std::ptrdiff_t>(i), ZarrCodec::crc32c);
     const std::size_t before = bytes + checksum_bytes * static_cast<std::size_t>(checksums);

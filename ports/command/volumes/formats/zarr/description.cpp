@@ -12,7 +12,7 @@
 namespace discmc::command {
 namespace {
 
-// Messages name the file that is at fault.
+// Messages name the file with the fault.
 using Path = std::filesystem::path;
 
 constexpr const char* rewrite =
@@ -38,7 +38,7 @@ void set_type(ZarrDescription& array, const Path& file, const std::optional<Nump
   array.is_big_endian = type->is_big_endian;
 }
 
-// The names of version 3, by those of NumPy: "uint16" is "<u2".
+// Converts names of version 3 to NumPy's: "uint16" to "<u2".
 std::optional<NumpyType> type_of_version_3(std::string_view name) {
   constexpr std::pair<std::string_view, std::string_view> names[] = {
       {"bool", "|b1"},  {"uint8", "|u1"},   {"int8", "|i1"},    {"uint16", "<u2"},
@@ -98,7 +98,7 @@ void add_codec(std::vector<ZarrCodec>& codecs, const Path& file, const std::stri
   codecs.push_back(*codec);
 }
 
-// Filters that leave the type of the samples.
+// Accepts filters that keep the type of the samples.
 void add_filter(ZarrDescription& array, const Path& file, const Json& filter, const Json& type) {
   const std::string name = text_of(member(filter, "id"));
   const Json& stored = member(filter, "astype");
@@ -132,7 +132,7 @@ ZarrDescription described_version_2(const ZarrNode& node) {
   return array;
 }
 
-// The axes as a chunk has them, where a codec exchanges them.
+// Returns the order of axes in a chunk, if a codec permutes them.
 std::vector<std::size_t> order_of(const Path& file, const Json& configuration, std::size_t axes) {
   const auto numbers = integers_of(file, "the order of axes", member(configuration, "order"));
   std::vector<std::size_t> order(axes);
@@ -142,7 +142,7 @@ std::vector<std::size_t> order_of(const Path& file, const Json& configuration, s
   return {numbers.begin(), numbers.end()};
 }
 
-// Takes the codecs of an array, or of the index of a shard, which has numbers of 64 bits.
+// Reads the codecs of an array, or of a shard's index, which has 64-bit numbers.
 void take_codecs(ZarrDescription& array, const Path& file, const Json& codecs);
 
 void take_shard(ZarrDescription& array, const Path& file, const Json& configuration) {
@@ -208,14 +208,14 @@ ZarrDescription described_version_3(const ZarrNode& node) {
   return array;
 }
 
-// xarray's names of the axes.
+// Reads xarray's names of the axes.
 void take_attributes(ZarrDescription& array, const Json& attributes) {
   if (!array.axis_names.empty()) return;
   for (const Json& name : member(attributes, "_ARRAY_DIMENSIONS"))
     array.axis_names.push_back(text_of(name));
 }
 
-// Whether there is a file or a folder that is named like chunks.
+// Whether some file or folder is named like a chunk.
 bool has_chunk(const ZarrDescription& array) {
   const bool is_nested = array.separator == '/' && array.sizes.size() > 1;
   const std::filesystem::path folder =

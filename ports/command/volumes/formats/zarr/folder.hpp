@@ -1,4 +1,4 @@
-// Which folders are Zarr.
+// Finds folders of Zarr.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,10 @@
 
 namespace discmc::command {
 
-/// Whether a folder is a group or an array of Zarr, of version 2 or 3; or a file that identifies
-/// one.
+/// Whether a path is a Zarr group or array of version 2 or 3, or its metadata file.
 bool is_zarr(const std::filesystem::path& path);
 
-/// Returns the folder of Zarr that a folder is, or holds and nothing else.
+/// Returns the Zarr folder that `folder` is, or that is its only content.
 std::optional<std::filesystem::path> folder_of_zarr(const std::filesystem::path& folder);
 
 }  // namespace discmc::command

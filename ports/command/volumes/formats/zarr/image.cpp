@@ -1,5 +1,5 @@
-// OME-Zarr 0.1 to 0.5, https://ngff.openmicroscopy.org: an image is a group of arrays, the same
-// volume in several resolutions.
+// OME-Zarr 0.1 to 0.5, https://ngff.openmicroscopy.org: an image is a group of arrays, which hold
+// one volume in several resolutions.
 #include "image.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ char letter_of(const std::string& name, const std::string& type) {
              : 't';
 }
 
-// Objects since version 0.4, names before, and before 0.3 nothing.
+// Axes are objects since version 0.4, names in 0.3, and absent before.
 std::vector<ZarrAxis> axes_of(const Json& multiscale) {
   const Json& listed = member(multiscale, "axes");
   std::vector<ZarrAxis> axes;
@@ -41,7 +41,7 @@ std::vector<ZarrAxis> axes_of(const Json& multiscale) {
   return axes;
 }
 
-// Scales and translations, of which each is of what came before. Returns whether there was a scale.
+// Applies scales and translations in order. Returns whether there was a scale.
 bool transform(std::vector<ZarrAxis>& axes, const std::filesystem::path& file, const Json& steps) {
   bool has_scale = false;
   for (const Json& step : steps) {
@@ -79,7 +79,7 @@ std::filesystem::path level_folder(const ZarrNode& image, const Json& dataset) {
   return beside(image.file, path);
 }
 
-// The names and colours of labels, which are listed apart.
+// Returns the names and colours of labels, which have separate lists.
 LabelTable labels_of(const Json& attributes) {
   const Json& label = member(attributes, "image-label");
   std::map<std::int64_t, LabelDescription> labels;
@@ -114,7 +114,7 @@ LabelTable labels_of(const Json& attributes) {
   return table;
 }
 
-// level: the number of one that is asked for.
+// level: the requested resolution.
 ZarrImage image_at(const ZarrNode& node, const Json& multiscale,
                    std::optional<std::uint32_t> level) {
   const Json& datasets = member(multiscale, "datasets");
@@ -143,7 +143,7 @@ ZarrImage image_at(const ZarrNode& node, const Json& multiscale,
   return image;
 }
 
-// An array that is a level of the group that it is in.
+// Returns the image of an array that is a level of its parent group.
 std::optional<ZarrImage> image_of_level(const std::filesystem::path& folder_of_array) {
   std::error_code ignored;
   const std::filesystem::path array = std::filesystem::canonical(folder_of_array, ignored);
@@ -175,7 +175,7 @@ std::vector<double> numbers_of(ZarrChunks line) {
   return numbers;
 }
 
-// As xarray has them: arrays of one axis beside that of the volume, by the names of its axes.
+// Reads coordinates of xarray: one-dimensional arrays beside the volume's, named like its axes.
 void take_coordinates_of_axes(ZarrImage& image, const ZarrNode& node) {
   for (std::size_t i = 0; i < image.axes.size(); ++i) {
     ZarrAxis& axis = image.axes[i];
@@ -192,7 +192,8 @@ void take_coordinates_of_axes(ZarrImage& image, const ZarrNode& node) {
   }
 }
 
-// As xarray writes a fill value of floating point with version 3: eight bytes, the lowest first.
+// Decodes a floating-point fill value as xarray writes it in version 3: eight bytes, the lowest
+// first.
 std::optional<double> number_in_base64(const std::string& text) {
   constexpr std::size_t characters = 12;
   if (text.size() != characters) return std::nullopt;
@@ -219,7 +220,7 @@ ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& fold
   };
   image.values = declared_values(number, text_of(member(node.attributes, "_Unsigned")));
   const auto& names = image.array.axis_names;
-  // In version 2 xarray has it in place of the fill value of chunks, which otherwise is 0.
+  // In version 2, xarray uses the chunks' fill value, which is otherwise 0.
   const Json& of_chunks = member(node.array, "fill_value");
   if (!image.values.fill && !names.empty() && of_chunks.is_number() && of_chunks != 0 &&
       member(node.array, "zarr_format") == 2)
@@ -231,7 +232,7 @@ ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& fold
   return image;
 }
 
-// Groups and arrays in a group.
+// Returns the groups and arrays in a group.
 std::vector<std::filesystem::path> children(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> found;
   std::error_code ignored;
@@ -249,13 +250,14 @@ std::string list_of(const std::vector<std::filesystem::path>& folders) {
   return text + (folders.size() > max_listed ? ", ..." : "");
 }
 
-// Coordinates of xarray, and numbers that are no array.
+// Whether an array has less than two axes, like coordinates of xarray and single numbers.
 bool has_no_plane(const std::filesystem::path& folder) {
   const ZarrNode node = read_zarr_node(folder);
   return node.is_array && member(node.array, "shape").size() < 2;
 }
 
-// What is in a group that is no image: the series of bioformats2raw, the wells of a plate, labels.
+// Returns the only child of a group that is not an image: a series of bioformats2raw, a well, or
+// labels.
 std::filesystem::path only_child(const ZarrNode& node) {
   std::vector<std::filesystem::path> inner = children(node.folder);
   inner.erase(std::remove_if(inner.begin(), inner.end(),

@@ -1,4 +1,4 @@
-// Which array of a folder of Zarr is the volume, and its description in OME-Zarr.
+// Chooses the array of a Zarr folder that is the volume, and reads its OME-Zarr description.
 #pragma once
 
 #include <filesystem>
@@ -13,27 +13,27 @@
 namespace discmc::command {
 
 struct ZarrAxis {
-  char letter = 0;     ///< x, y, z, c, or t for all others
-  double scale = 1;    ///< from a sample to the next one
-  double origin = 0;   ///< where the first one lies
+  char letter = 0;     ///< x, y, z, c, or t for all other axes
+  double scale = 1;    ///< distance between neighbouring samples
+  double origin = 0;   ///< position of the first sample
   std::string unit{};  ///< "micrometer"
-  /// The name and the places of samples, as xarray has them; or none.
+  /// The name and coordinates of xarray, or empty.
   std::string name{};
   std::vector<double> coordinates{};
 };
 
 struct ZarrImage {
-  LabelTable labels;  ///< of an image of labels
+  LabelTable labels;  ///< for an image of labels
   ZarrDescription array;
-  std::vector<ZarrAxis> axes{};  ///< of the array; none if there is no description
+  std::vector<ZarrAxis> axes{};  ///< of the array; empty without a description
   bool is_ome = false;
-  DeclaredValues values{};  ///< as xarray has them
+  DeclaredValues values{};  ///< declared by xarray
   bool has_scale = false;
-  std::vector<std::string> channels{};  ///< their names, where there are any
-  std::string level{};                  ///< for people, of several: "level 1 of 4"
+  std::vector<std::string> channels{};  ///< names, or empty
+  std::string level{};                  ///< for people, if there are several: "level 1 of 4"
 };
 
-/// Throws VolumeError where it is none, or holds several images.
+/// Throws VolumeError if the folder is not Zarr, or holds several images.
 ZarrImage read_zarr_image(const std::filesystem::path& folder, const VolumeOptions& options);
 
 }  // namespace discmc::command

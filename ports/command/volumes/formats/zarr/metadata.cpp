@@ -64,7 +64,7 @@ ZarrNode read_zarr_node(const std::filesystem::path& folder) {
     node.array = read_json(node.file);
     node.is_array = text_of(member(node.array, "node_type")) == "array";
     node.attributes = member(node.array, "attributes");
-    // OME-Zarr 0.5 has an object of its own.
+    // OME-Zarr 0.5 nests its metadata in an object.
     const Json ome = member(node.attributes, "ome");
     if (ome.is_object()) node.attributes.update(ome);
     return node;

@@ -1,4 +1,4 @@
-// Zarr, and images of OME-Zarr, by their chunks.
+// Zarr, and images of OME-Zarr, chunk by chunk.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -20,7 +20,7 @@
 namespace discmc::command {
 namespace {
 
-// Some slices at once, as many as chunks are deep: each is unpacked once.
+// Holds as many slices as chunks are deep, so that each chunk is unpacked once.
 class ZarrVolume final : public NumberedSlices {
  public:
   ZarrVolume(std::filesystem::path folder, VolumeInfo info, ZarrChunks chunks, ArrayLayout layout)
@@ -46,7 +46,7 @@ class ZarrVolume final : public NumberedSlices {
     std::memcpy(samples, &slices_[(slice - first_) * bytes], bytes);
   }
 
-  // Some slices, up to the end of the chunks that the first one lies in.
+  // Reads slices from `first` to the end of its chunks.
   void read_slices(std::uint64_t first) {
     const std::uint64_t deep = chunk_size(2);
     first_ = first;
@@ -63,12 +63,12 @@ class ZarrVolume final : public NumberedSlices {
         take_chunk(chunks_.read(chunk), column * chunk_size(0), row * chunk_size(1));
   }
 
-  // Along x, y or z.
+  // Returns the extent of a chunk along x, y or z.
   std::uint64_t chunk_size(std::size_t i) const {
     return layout_.axes[i] ? chunks_.array().chunk[*layout_.axes[i]] : 1;
   }
 
-  // Copies what there is of a chunk in the slices. x, y: where it begins in them.
+  // Copies a chunk into the slices, as far as the slices reach. x, y: its position.
   void take_chunk(const std::optional<ChunkBytes>& samples, std::uint64_t x, std::uint64_t y) {
     const std::size_t size = sample_bytes(info().type);
     const std::uint64_t columns = std::min(chunk_size(0), info().dims[0] - x);
@@ -84,7 +84,7 @@ class ZarrVolume final : public NumberedSlices {
       }
   }
 
-  // z, y: in the chunk.
+  // z, y: position in the chunk.
   void copy_row(const ChunkBytes& samples, std::uint64_t z, std::uint64_t y, std::uint64_t columns,
                 unsigned char* to) const {
     with_sample_type(info().type, [&](auto sample) {
@@ -101,16 +101,16 @@ class ZarrVolume final : public NumberedSlices {
 
   ZarrChunks chunks_;
   ArrayLayout layout_;
-  // In a chunk, of the frame and the channel, and from one sample to the next along x, y and z.
+  // Offset of the frame and the channel in a chunk, and distances of neighbours along x, y and z.
   std::uint64_t begin_ = 0;
   std::array<std::uint64_t, 3> strides_{};
   std::uint64_t depth_ = 1;
-  std::uint64_t first_ = 0;  // of the slices that are held
+  std::uint64_t first_ = 0;  // of the slices in memory
   std::uint64_t count_ = 0;
   std::vector<unsigned char> slices_;
 };
 
-// Each is asked for, whether it is there or not.
+// Every chunk costs an access, even if it does not exist.
 void require_few_chunks(const std::filesystem::path& folder, const VolumeInfo& info,
                         const PerAxis& chunk, const ArrayLayout& layout) {
   constexpr std::uint64_t max_chunks = std::uint64_t{1} << 20;
@@ -124,7 +124,7 @@ void require_few_chunks(const std::filesystem::path& folder, const VolumeInfo& i
          "write it again with larger ones");
 }
 
-// Small files may claim large slices, and chunks that are all alike take little room.
+// Small files may declare large slices, and uniform chunks need little space.
 void require_possible(const std::filesystem::path& folder, const VolumeInfo& info) {
   constexpr std::uint64_t max_of_a_byte = 65536;
   std::uint64_t bytes = 0;
@@ -146,7 +146,7 @@ DeclaredPlace place_of(const ZarrImage& image, const std::filesystem::path& fold
   DeclaredPlace place;
   place.set_unit("mm");
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!layout.axes[i] || image.axes.empty()) continue;  // an image
+    if (!layout.axes[i] || image.axes.empty()) continue;  // an image without z
     const ZarrAxis& axis = image.axes[*layout.axes[i]];
     if (!image.has_scale && axis.coordinates.empty()) continue;
     if (image.has_scale) {

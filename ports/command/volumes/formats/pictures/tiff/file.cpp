@@ -1,4 +1,4 @@
-// TIFF, by libtiff: of any compression that it supports.
+// TIFF with libtiff, in any compression that it supports.
 #include <tiffio.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Close {
 using OpenTiff = std::unique_ptr<TIFF, Close>;
 
 OpenTiff opened(const std::filesystem::path& file) {
-  // Its messages are not printed; refusals are reported below.
+  // discmc reports errors itself.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   OpenTiff tiff(TIFFOpen(file.c_str(), "r"));
@@ -40,7 +40,7 @@ class TiffFile final : public PictureFile {
         directories_(TIFFNumberOfDirectories(tiff_.get())),
         depth_(page_of(tiff_.get()).depth),
         samples_(file, file_bytes_) {
-    // Small files may claim many slices: what is decoded of a byte has a limit.
+    // Limits the decoded size per byte, because small files may declare many slices.
     constexpr std::uint64_t max_of_a_byte = 16384;
     const std::uint64_t bytes = page_of(tiff_.get()).plane_bytes();
     if (depth_ > 1 && depth_ / max_of_a_byte > file_bytes_ / std::max<std::uint64_t>(1, bytes))
@@ -111,7 +111,7 @@ class TiffFile final : public PictureFile {
 
   std::uint64_t pages() const { return std::uint64_t{directories_} * depth_; }
 
-  // Whether a page has no directory, but follows that of the only one.
+  // Whether a page has no directory, but follows the only page with one.
   bool is_behind(std::uint32_t number) const { return directories_ == 1 && number >= depth_; }
 
   std::uint64_t place_behind(const TiffPage& page, std::uint32_t number) {
@@ -120,7 +120,7 @@ class TiffFile final : public PictureFile {
     return behind.at + number * page.plane_bytes();
   }
 
-  // Goes to the directory of a page.
+  // Selects the directory of a page.
   TiffPage go_to(std::uint32_t number) {
     const std::uint32_t wanted = is_behind(number) ? 0 : number / depth_;
     constexpr std::uint32_t near = 64;
@@ -169,7 +169,7 @@ class TiffFile final : public PictureFile {
     return stacks;
   }
 
-  // Pages that no image has are smaller copies and the like, but no planes.
+  // Undescribed pages are smaller copies and the like, not planes.
   void note_not_described(std::vector<Hyperstack>& stacks) {
     std::vector<bool> is_described(directories_);
     for (const Hyperstack& stack : stacks)
@@ -198,7 +198,7 @@ class TiffFile final : public PictureFile {
     return stack;
   }
 
-  // If a description promises more planes than there are directories, they follow the page of the
+  // If a description has more planes than there are directories, the planes follow the page of the
   // only directory.
   void require_behind(const TiffPage& page, std::uint64_t planes) {
     const std::uint64_t there =
@@ -210,8 +210,8 @@ class TiffFile final : public PictureFile {
            remedy);
   }
 
-  // Arrays of tifffile, one behind the other. None where they are planes, and thus slices, or where
-  // the pages are not those of the description.
+  // Returns the arrays of tifffile, one after another. Returns none if they are single planes, and
+  // thus slices, or if pages do not match the description.
   std::vector<Hyperstack> of_tifffile() {
     std::vector<Hyperstack> stacks;
     std::uint64_t at = 0;
@@ -238,7 +238,7 @@ class TiffFile final : public PictureFile {
     return {page.height, page.width, page.samples};
   }
 
-  // Every page is a slice, but for masks and smaller copies of others.
+  // Every page is a slice, except masks and smaller copies.
   Hyperstack of_pages() {
     std::optional<TiffPage> full;
     for (std::uint32_t i = 0; i < directories_ && !full; ++i) {
@@ -280,7 +280,7 @@ class TiffFile final : public PictureFile {
     if (directories_ == 1 && planes(stack) == 1) note_behind(stack, page);
   }
 
-  // Whole pages after the only one, which nothing describes.
+  // Notes complete pages after the only described one.
   void note_behind(Hyperstack& stack, const TiffPage& page) {
     constexpr std::uint64_t max_metadata = 65536;
     const PagesBehind behind = pages_behind(tiff_.get(), page, file_bytes_);
@@ -294,9 +294,9 @@ class TiffFile final : public PictureFile {
   std::uint64_t file_bytes_;
   OpenTiff tiff_;
   std::uint32_t directories_;
-  std::uint32_t depth_;  // of all pages
+  std::uint32_t depth_;  // common to all pages
   TiffSamples samples_;
-  std::optional<PictureHeader> header_;  // the last one
+  std::optional<PictureHeader> header_;  // of the last page
   std::uint32_t directory_of_header_ = 0;
   Palette greys_;  // of that page
 };

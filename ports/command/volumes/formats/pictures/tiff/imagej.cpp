@@ -13,7 +13,7 @@
 namespace discmc::command {
 namespace {
 
-// "key=value" a line.
+// Lines of "key=value".
 class Description {
  public:
   Description(const std::filesystem::path& file, std::string_view text) : file_(file) {
@@ -29,7 +29,7 @@ class Description {
     return found == values_.end() ? std::string_view() : found->second;
   }
 
-  /// 0 where it is not there.
+  /// Returns 0 if the key is missing.
   std::uint64_t count(std::string_view key) const {
     if (text(key).empty()) return 0;
     const auto value = whole_number<std::uint64_t>(text(key));
@@ -48,7 +48,7 @@ class Description {
   std::map<std::string_view, std::string_view> values_;
 };
 
-// The axes, and which of them are fastest.
+// Sets the axes and their order.
 void set_axes(Hyperstack& stack, const Description& description, const TiffFacts& facts) {
   const auto at_least_1 = [&](std::string_view key) {
     return std::max<std::uint64_t>(1, description.count(key));
@@ -56,7 +56,7 @@ void set_axes(Hyperstack& stack, const Description& description, const TiffFacts
   stack.slices.size = at_least_1("slices");
   stack.channels.size = at_least_1("channels");
   stack.frames.size = at_least_1("frames");
-  // Colours are samples of a pixel, and yet some count them among the planes.
+  // Colours are samples of a pixel, but some programs count them as planes, too.
   if (stack.channels.size == facts.samples) stack.channels.size = 1;
   const std::uint64_t images = description.count("images");
   if (planes(stack) == 1) stack.slices.size = images > 0 ? images : facts.pages;
@@ -83,7 +83,7 @@ void set_spacing(Hyperstack& stack, const Description& description, const TiffFa
     stack.notes.emplace_back("no distance of slices given, 1 unit assumed, as by ImageJ");
 }
 
-// Values of grey, as of CT, which ImageJ stores from 0 on.
+// Sets the calibration of grey values, such as CT values, which ImageJ stores from 0 on.
 void set_calibration(Hyperstack& stack, const Description& description) {
   constexpr std::string_view straight_line = "0";
   const std::string_view function = description.text("cf");

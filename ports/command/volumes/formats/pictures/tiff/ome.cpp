@@ -31,7 +31,7 @@ bool is_ome(std::string_view description) {
 #ifdef DISCMC_WITH_PUGIXML
 namespace {
 
-// Without the prefix of a namespace.
+// Returns the name without its namespace prefix.
 std::string_view local_name(const pugi::xml_node& node) {
   const std::string_view name = node.name();
   const std::size_t colon = name.find(':');
@@ -50,7 +50,7 @@ pugi::xml_node child(const pugi::xml_node& parent, std::string_view name) {
   return found.empty() ? pugi::xml_node() : found.front();
 }
 
-// The OME-XML of a file, or of the file of metadata that it names.
+// The OME-XML of a file, or of the metadata file that it names.
 class OmeXml {
  public:
   OmeXml(const std::filesystem::path& file, const std::string& description) : file_(file) {
@@ -69,7 +69,7 @@ class OmeXml {
   const std::filesystem::path& file() const { return file_; }
   pugi::xml_node root() const { return document_.document_element(); }
 
-  /// The file that holds the pages of a TiffData element.
+  /// Returns the file with the pages of a TiffData element.
   std::filesystem::path file_of(const pugi::xml_node& tiff_data) const {
     const pugi::xml_node uuid = child(tiff_data, "UUID");
     const std::string_view name = uuid.attribute("FileName").value();
@@ -77,12 +77,12 @@ class OmeXml {
     if (!uuid || is_own) return file_;
     if (name.empty())
       fail(file_, "the OME-XML names a file only by an identifier", "export it again, as one file");
-    if (leads_out(name) && names_of_files().size() == 1) return file_;  // it has been moved
+    if (leads_out(name) && names_of_files().size() == 1) return file_;  // the file was moved
     auto file = beside(file_, name);
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown)) return file;
     if (!names_of_files_) names_of_files_ = names_of_files();
-    if (names_of_files_->size() == 1) return file_;  // it has been renamed
+    if (names_of_files_->size() == 1) return file_;  // the file was renamed
     fail(file_, "the file " + shown(name) + " of its set is missing", "put it beside the others");
   }
 
@@ -113,7 +113,7 @@ class OmeXml {
 
   std::filesystem::path file_;
   pugi::xml_document document_;
-  std::string uuid_;  // of the file
+  std::string uuid_;  // of this file
   mutable std::optional<std::set<std::string>> names_of_files_;
 };
 
@@ -143,7 +143,7 @@ std::array<std::optional<double>, 3> spacing_mm(const pugi::xml_node& pixels,
   return spacing;
 }
 
-// z may combine two axes: modulo annotations.
+// Modulo annotations may combine two axes in z.
 void require_plain_slices(const OmeXml& xml) {
   struct Finder final : pugi::xml_tree_walker {
     bool is_found = false;
@@ -194,7 +194,7 @@ class Images {
     return stack;
   }
 
-  // Planes of several samples a pixel hold as many channels each.
+  // Planes with several samples per pixel hold as many channels.
   std::uint64_t channels(const pugi::xml_node& pixels, std::vector<std::string>& names) {
     const auto described = children(pixels, "Channel");
     for (const auto& channel : described) names.emplace_back(channel.attribute("Name").value());
@@ -251,7 +251,7 @@ class Images {
   std::uint64_t samples_;
   const CountPages& count_pages_;
   std::map<std::filesystem::path, std::uint64_t> pages_;
-  std::map<std::filesystem::path, std::uint32_t> numbers_;  // of the files of an image
+  std::map<std::filesystem::path, std::uint32_t> numbers_;  // index of each file of an image
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string text(TIFF* tiff, std::uint32_t tag) {
   return TIFFGetField(tiff, tag, &text) == 1 && text != nullptr ? text : "";
 }
 
-// Types of samples of whole bytes.
+// Returns the type of samples that fill whole bytes.
 std::optional<SampleType> type_of_bytes(std::uint16_t bits, std::uint16_t format) {
   struct Kind {
     std::uint16_t bits, format;
@@ -78,7 +78,7 @@ Palette palette_of(TIFF* tiff, const TiffPage& page) {
       TIFFGetField(tiff, TIFFTAG_COLORMAP, &parts[0], &parts[1], &parts[2]) != 1)
     return {};
   const std::size_t colours = std::size_t{1} << page.bits;
-  // Some writers have values of 8 bits in the 16 of each.
+  // Some programs store 8-bit values in the 16 bits of each entry.
   const bool is_of_bytes = std::all_of(parts.begin(), parts.end(), [colours](const auto* part) {
     return std::all_of(part, part + colours, [](std::uint16_t value) { return value < 256; });
   });

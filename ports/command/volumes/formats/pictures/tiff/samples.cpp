@@ -17,7 +17,7 @@ bool is_half(const TiffPage& page) {
   return page.bits == 16 && page.format == SAMPLEFORMAT_IEEEFP;
 }
 
-// Whether a row is stored as it is read.
+// Whether stored rows need no conversion.
 bool is_direct(const TiffPage& page) {
   return page.samples_of_pixel() == 1 && page.bits % 8 == 0 && !is_half(page);
 }
@@ -116,7 +116,7 @@ void TiffSamples::read_strips(TIFF* tiff, const TiffPage& page, std::uint32_t ch
   if (at < bytes) fail_page(tiff);
 }
 
-// Tiles may claim any size; most of a small page may be padding.
+// Tiles may declare any size, and most of a small page may be padding.
 void TiffSamples::require_tiles(TIFF* tiff, const TiffPage& page) const {
   const auto [width, height, depth] = page.tile;
   const std::uint64_t row = page.row_bytes(width);
@@ -127,7 +127,7 @@ void TiffSamples::require_tiles(TIFF* tiff, const TiffPage& page) const {
     fail_page(tiff);
 }
 
-// All slices that a layer of tiles has.
+// Reads all slices of a layer of tiles.
 void TiffSamples::read_slab(TIFF* tiff, const TiffPage& page, std::uint32_t slab,
                             std::uint32_t channel, unsigned char* stored) {
   const auto [width, height, depth] = page.tile;
@@ -150,7 +150,7 @@ void TiffSamples::read_slab(TIFF* tiff, const TiffPage& page, std::uint32_t slab
     }
 }
 
-// The library itself decodes the first slice of a tile alone.
+// libtiff decodes only the first slice of a tile.
 void TiffSamples::read_tile(TIFF* tiff, const TiffPage& page, std::uint32_t tile) {
   const auto bytes = static_cast<tmsize_t>(tile_.size());
   if (page.tile[2] == 1) {

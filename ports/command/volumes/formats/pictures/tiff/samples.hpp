@@ -1,4 +1,4 @@
-// The samples of TIFF pages: strips, tiles, blocks of several slices, and pages without a
+// Reads samples of TIFF pages: strips, tiles, blocks of several slices, and pages without a
 // directory.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace discmc::command {
 
-/// The place of pages that follow the page of the only directory, without directories of their own.
+/// Pages without directories, which follow the page of the only directory.
 struct PagesBehind {
-  std::uint64_t at = 0;     ///< the first page, that of the directory. Units: bytes
-  std::uint64_t count = 0;  ///< that the file can hold from there on; 0 where there are none
+  std::uint64_t at = 0;     ///< offset of the page with the directory. Units: bytes
+  std::uint64_t count = 0;  ///< pages that the file can hold from there on; 0: none
 };
 PagesBehind pages_behind(TIFF* tiff, const TiffPage& page, std::uint64_t file_bytes);
 
@@ -26,12 +26,12 @@ class TiffSamples {
   TiffSamples(std::filesystem::path file, std::uint64_t file_bytes)
       : file_(std::move(file)), file_bytes_(file_bytes) {}
 
-  /// Reads a slice of the page that the file is at. Size: of samples, width times height of
-  /// sample_type(). Throws VolumeError.
+  /// Reads a slice of the current page. Size: of samples, width times height of sample_type().
+  /// Throws VolumeError.
   void read(TIFF* tiff, const TiffPage& page, std::uint32_t slice, std::uint32_t channel,
             unsigned char* samples);
 
-  /// The same of a page at a place in the file. Units: bytes.
+  /// Likewise reads a page at an offset in the file. Units: bytes.
   void read_behind(TIFF* tiff, const TiffPage& page, std::uint64_t at, std::uint32_t channel,
                    unsigned char* samples);
 
@@ -54,10 +54,10 @@ class TiffSamples {
 
   std::filesystem::path file_;
   std::uint64_t file_bytes_;
-  std::vector<unsigned char> stored_;  // of a slice that is still to be converted
+  std::vector<unsigned char> stored_;  // a slice before conversion
   std::vector<unsigned char> tile_;
-  std::vector<unsigned char> packed_;  // a tile, as it is in the file
-  std::vector<unsigned char> slab_;    // the slices that tiles have in common
+  std::vector<unsigned char> packed_;  // a tile as in the file
+  std::vector<unsigned char> slab_;    // the slices that share tiles
   std::optional<Slab> kept_slab_;
 };
 

@@ -14,7 +14,7 @@
 namespace discmc::command {
 namespace {
 
-// "shape=(20, 24, 30)", of versions before 2016.
+// Parses "shape=(20, 24, 30)", from versions before 2016.
 std::optional<ShapedArray> without_json(std::string_view description) {
   constexpr std::string_view begin = "shape=(";
   if (description.rfind(begin, 0) != 0) return std::nullopt;
@@ -30,7 +30,8 @@ std::optional<ShapedArray> without_json(std::string_view description) {
   return array;
 }
 
-// The axes before those of a page. The last of unnamed axes, and of axes called I or Q, are slices.
+// The axes before the page's own. Without a Z axis, slices are the last axis that is unnamed or
+// named I or Q.
 class LeadingAxes {
  public:
   LeadingAxes(const ShapedArray& array, std::size_t count) {
@@ -45,7 +46,7 @@ class LeadingAxes {
     if (!has_slices && unnamed != axes_.end()) unnamed->first = 'Z';
   }
 
-  // Nothing where what counts frames does not lie side by side.
+  // Returns nothing if other axes separate the axes of frames.
   std::optional<Hyperstack> planes() const {
     Hyperstack stack;
     std::uint64_t step = 1;
@@ -101,7 +102,7 @@ std::optional<ShapedArray> shaped_array(const std::filesystem::path& file,
 std::optional<Hyperstack> planes_of(const ShapedArray& array,
                                     const std::vector<std::uint64_t>& page) {
   std::vector<std::uint64_t> sizes = array.sizes;
-  // The array of grey pages may have an axis of one sample.
+  // The array of grey pages may have an axis of size 1 for samples.
   if (page.size() == 2 && sizes.size() > 2 && sizes.back() == 1) sizes.pop_back();
   if (sizes.size() < page.size() || !std::equal(page.rbegin(), page.rend(), sizes.rbegin()))
     return std::nullopt;

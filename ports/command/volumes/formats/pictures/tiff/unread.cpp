@@ -34,7 +34,7 @@ void require_read_colours(const std::filesystem::path& file, const TiffPage& pag
        "convert it to RGB or grey");
 }
 
-// The number behind "KEY = " in what ScanImage writes, or nothing.
+// Returns the number after "KEY = " in ScanImage's text, or nothing.
 std::optional<std::uint32_t> number_of(std::string_view text, std::string_view key) {
   const std::size_t at = text.find(key);
   if (at == std::string_view::npos) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<std::uint32_t> number_of(std::string_view text, std::string_view k
 
 void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
                                   std::uint32_t pages) {
-  // Versions of ScanImage put it in one or the other.
+  // Versions of ScanImage differ in which tag has the text.
   const std::string text = software_of(tiff) + '\n' + description_of(tiff);
   constexpr std::string_view signs[] = {"SI.VERSION_MAJOR", "scanimage.SI", "state.acq."};
   const auto has = [&text](std::string_view sign) { return text.find(sign) != std::string::npos; };
