@@ -32,7 +32,7 @@ AxisOrder axis_order(const Samples& samples) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (extents[axis] > 1)
       distances[axis] = std::abs(samples.strides()[axis]);
-    else if (axis > 0)  // the stride of a single sample means nothing
+    else if (axis > 0)  // the stride of a single sample is irrelevant
       distances[axis] = distances[axis - 1];
   AxisOrder order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
@@ -50,7 +50,7 @@ ArrayReader::ArrayReader(const Samples& samples, const AxisOrder& order,
   info_.spacing_mm = spacing;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     info_.dims[axis] = static_cast<std::uint32_t>(samples.extents()[order[axis]]);
-    stride_bytes_[axis] = info_.dims[axis] == 1  // the stride of a single sample means nothing
+    stride_bytes_[axis] = info_.dims[axis] == 1  // the stride of a single sample is irrelevant
                               ? 0
                               : samples.strides()[order[axis]] *
                                     static_cast<std::ptrdiff_t>(sample_bytes(samples.type()));

@@ -1,4 +1,4 @@
-// An array in memory as the slices of a sweep.
+// Reads an array in memory as the slices of a sweep.
 #ifndef DISCMC_MESH_API_ARRAY_READER_HPP
 #define DISCMC_MESH_API_ARRAY_READER_HPP
 
@@ -11,11 +11,11 @@
 
 namespace discmc::meshing {
 
-/// The axis of the array that each axis of the sweep follows.
+/// Maps each axis of the sweep to an axis of the array.
 using AxisOrder = std::array<std::size_t, 3>;
 
-/// The order in which memory is read from front to back, so that arrays of any order of axes are
-/// equally fast.
+/// Returns the order that reads memory from front to back, so that every order of axes is equally
+/// fast.
 AxisOrder axis_order(const Samples& samples);
 
 /// Reads an array slice by slice. Owner of the samples: the caller.
@@ -32,7 +32,7 @@ class ArrayReader final : public SliceReader {
   const std::uint8_t* samples_;
   SampleGrid info_;
   Strides stride_bytes_;
-  std::ptrdiff_t next_ = 0;  // slice
+  std::ptrdiff_t next_ = 0;  // next slice
 };
 
 }  // namespace discmc::meshing

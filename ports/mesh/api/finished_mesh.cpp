@@ -65,10 +65,10 @@ void add_normals(const Surface& surface, FaceMesh& mesh, const MeshOptions& opti
   else
     set_polygon_normals(surface, mesh);
   if (options.normals == Normals::gradient) add_gradient(mesh, options, level, open_again);
-  for (Point& normal : mesh.normals) normal = unit_or_zero(normal);  // some have 15 bits
+  for (Point& normal : mesh.normals) normal = unit_or_zero(normal);  // streams have 15 bits
 }
 
-// vertices: of the mesh, by their VertexNumbers.
+// vertices: the vertices of the mesh, by their VertexNumbers.
 MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& vertices,
                          bool is_mirrored) {
   MeshPolygons all;

@@ -1,4 +1,4 @@
-// From polygons to the mesh that a caller gets.
+// Turns polygons into the mesh that a caller gets.
 #ifndef DISCMC_MESH_API_FINISHED_MESH_HPP
 #define DISCMC_MESH_API_FINISHED_MESH_HPP
 
@@ -19,25 +19,25 @@ namespace discmc::meshing {
 /// Calls MeshOptions::progress. Throws Cancelled.
 void report(const MeshOptions& options, const char* step, std::uint64_t done, std::uint64_t all);
 
-/// Returns a function that calls report() with what is done, for a step of several threads. In
-/// other threads than this one it does nothing.
+/// Returns a function that calls report() for a step of several threads. The function does nothing
+/// in threads other than this one.
 std::function<void(std::uint64_t)> reporter_here(const MeshOptions& options, const char* step,
                                                  std::uint64_t all);
 
-/// The threads that the options ask for.
+/// Returns the number of threads that the options request.
 unsigned threads_of(const MeshOptions& options);
 
-/// Whether vertices are moved to where samples cross the level.
+/// Whether vertices move to the places where samples cross the level.
 bool is_interpolated(const MeshOptions& options);
 
-/// Where the axes of a sweep lie.
+/// The position of a sweep's axes.
 struct SweepPlace {
   std::array<double, 3> spacing;
   std::optional<VolumePlacement> placement;  ///< nothing: along the coordinates
   bool is_mirrored;
 };
 
-/// Throws std::invalid_argument if the level is no number, or runs backwards.
+/// Throws std::invalid_argument if the level is NaN, or if its ends are in the wrong order.
 Selection selection_of(const Level& level);
 
 /// Throws std::invalid_argument if the axes span no space.
@@ -46,12 +46,12 @@ SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order = {0, 
 /// Throws std::invalid_argument for options that contradict each other.
 void check_options(const MeshOptions& options);
 
-/// A volume once more, for gradients.
+/// Opens the volume again, for gradients.
 using OpenAgain = std::function<std::unique_ptr<SliceReader>()>;
 
-/// The triangles of a surface, relaxed, decimated, with normals, placed. surface: gets the spacing.
-/// crossings: where its vertices are moved to, or from, if it is relaxed; null if they stay. level:
-/// of the gradient. open_again: may be empty unless the options have Normals::gradient.
+/// Makes the triangles of a surface: relaxed, decimated, with normals, placed. surface: gets the
+/// spacing. crossings: new positions of the vertices, before relaxation; null: vertices stay.
+/// level: for the gradient. open_again: may be empty without Normals::gradient.
 Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& options,
                    const SweepPlace& place, double level, const OpenAgain& open_again = {});
 

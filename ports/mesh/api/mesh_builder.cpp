@@ -78,7 +78,7 @@ class MeshBuilder::State {
   MeshOptions options_;
   SweepPlace place_;
   SampleGrid grid_;
-  std::vector<std::uint8_t> bits_;  // of a slice
+  std::vector<std::uint8_t> bits_;  // of the current slice
   std::optional<SliceSelector> selector_;
   std::optional<CrossingFinder> crossings_;
   JoinedSurface surface_;

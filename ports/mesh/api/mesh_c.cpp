@@ -1,4 +1,4 @@
-// The functions of mesh.h, by those of mesh.hpp.
+// Implements mesh.h by mesh.hpp.
 #include <cstdio>
 #include <memory>
 #include <new>
@@ -62,7 +62,7 @@ MeshOptions options_of(const discmc_mesh_options* from) {
   return options;
 }
 
-// The numbers of tuples, one after another.
+// Returns the numbers of all tuples, one after another.
 template <class Tuple>
 const typename Tuple::value_type* numbers_of(const std::vector<Tuple>& tuples) {
   return tuples.empty() ? nullptr : tuples[0].data();
@@ -88,7 +88,7 @@ struct LabelMeshes {
   std::vector<discmc_label_mesh> views;
 };
 
-// Calls make(); its exceptions become an error with a message.
+// Calls make(), and converts its exceptions to an error with a message.
 template <class Result, class Make>
 std::int32_t result_of(Result& result, Make make) {
   result = {};

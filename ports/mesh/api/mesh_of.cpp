@@ -162,7 +162,7 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
                             : &crossings[i]->crossings(),
         options, place, selections[i].low,
         [&] { return std::make_unique<ArrayReader>(samples, order, place.spacing); }));
-    surfaces[i].reset();  // its memory is the next mesh's
+    surfaces[i].reset();  // frees memory for the next mesh
   }
   return meshes;
 }

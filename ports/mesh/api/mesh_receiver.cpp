@@ -109,7 +109,7 @@ class MeshReceiver::State {
       throw std::invalid_argument(
           "this stream holds no fractions to interpolate: ask for relaxation, or send them by "
           "FractionSliceEncoder");
-    Surface so_far = builder().surface();  // a copy: its spacing follows from the options
+    Surface so_far = builder().surface();  // a copy, because the options set its spacing
     std::optional<Crossings> crossings;
     if (options.interpolates || options.relaxes) {
       crossings.emplace(reader().dims(), so_far.polygons);

@@ -1,4 +1,4 @@
-// The state of an object that may be moved from.
+// The state of a movable object.
 #ifndef DISCMC_MESH_API_OWNED_STATE_HPP
 #define DISCMC_MESH_API_OWNED_STATE_HPP
 

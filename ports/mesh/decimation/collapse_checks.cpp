@@ -9,12 +9,12 @@
 namespace discmc::meshing {
 namespace {
 
-constexpr double min_turn = 0.2;                  // cosine between a normal before and after
+constexpr double min_turn = 0.2;                  // cosine between the normals before and after
 constexpr double thinnest = 0.99619469809174555;  // cosine of 5 degrees
 constexpr double folded = 0.9998;                 // cosine between two triangles at an edge
-constexpr double min_height = 1e-12;              // of a triangle, against its sides
+constexpr double min_height = 1e-12;              // of a triangle, relative to its sides
 
-// The cosine of the smallest angle; 1 without area.
+// Returns the cosine of the smallest angle, or 1 if the triangle has no area.
 double thinness(const Corners& triangle) {
   std::array<Point, 3> sides;
   std::array<double, 3> squares;
@@ -70,7 +70,7 @@ bool collide(const PlacedTriangle& a, const PlacedTriangle& b) {
   return shared == 3 || (shared == 2 ? are_folded(a, b) : intersect(a, b));
 }
 
-// Seen from a point, the solid angle of a triangle (A. van Oosterom and J. Strackee, 1983).
+// Returns the solid angle of a triangle, seen from a point (A. van Oosterom and J. Strackee, 1983).
 double solid_angle(const Corners& triangle, const Point& from) {
   std::array<Point, 3> to;
   std::array<double, 3> length;
@@ -83,7 +83,7 @@ double solid_angle(const Corners& triangle, const Point& from) {
                             dot(to[1], to[2]) * length[0] + dot(to[2], to[0]) * length[1]);
 }
 
-// Whether a point lies between the triangles before and after.
+// Whether a point lies between the triangles before and after the collapse.
 bool is_passed(const Point& point, const Collapse& collapse, const CollapsingMesh& mesh) {
   double angle = 0;
   for (const Collapse::Moved& moved : collapse.moved)
@@ -94,8 +94,8 @@ bool is_passed(const Point& point, const Collapse& collapse, const CollapsingMes
   return std::fabs(angle) > half_of_all;
 }
 
-// Whether the triangles that move are a fan that is seen whole from one side, turning once around
-// its vertex. Then none of them crosses another.
+// Whether the moving triangles form a fan that is visible from one side and turns once around its
+// vertex. Then none of them crosses another.
 bool is_simple_fan(const Collapse& collapse) {
   Point normal{};
   for (const Collapse::Moved& moved : collapse.moved) {

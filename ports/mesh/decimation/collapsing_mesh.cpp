@@ -27,7 +27,7 @@ void CollapsingMesh::classify_vertices() {
     if (has_vertex(vertex)) kind_[vertex] = kind_of(vertex, spokes);
 }
 
-// Follows the triangles around the vertex from one neighbour to the next.
+// Follows the triangles around a vertex from one neighbour to the next.
 CollapsingMesh::Kind CollapsingMesh::kind_of(std::uint32_t vertex,
                                              std::vector<Spoke>& spokes) const {
   spokes.clear();
@@ -39,7 +39,7 @@ CollapsingMesh::Kind CollapsingMesh::kind_of(std::uint32_t vertex,
     return std::find_if(spokes.begin(), spokes.end(),
                         [&](const Spoke& spoke) { return spoke.from == neighbour; });
   };
-  // An open fan begins at the neighbour to which no triangle leads.
+  // An open fan begins at the neighbour that no triangle leads to.
   std::uint32_t begin = spokes[0].from;
   for (const Spoke& spoke : spokes)
     if (std::none_of(spokes.begin(), spokes.end(),

@@ -1,4 +1,4 @@
-// Triangles over shared vertices whose edges collapse to points.
+// A triangle mesh whose edges collapse to points.
 #ifndef DISCMC_MESH_DECIMATION_COLLAPSING_MESH_HPP
 #define DISCMC_MESH_DECIMATION_COLLAPSING_MESH_HPP
 
@@ -12,31 +12,31 @@
 
 namespace discmc::meshing {
 
-/// What a collapse of an edge changes.
+/// The changes by the collapse of an edge.
 struct Collapse {
-  /// A triangle with one end of the edge, which moves.
+  /// A moving triangle, which has one end of the edge.
   struct Moved {
     std::uint32_t triangle;
-    Triangle numbers;  ///< afterwards
+    Triangle numbers;  ///< after the collapse
     Corners before, after;
   };
 
   std::uint32_t kept = 0, gone = 0;    ///< the vertices of the edge
-  Point at{};                          ///< where the kept one goes
-  std::vector<std::uint32_t> removed;  ///< triangles with both ends
+  Point at{};                          ///< new position of the kept vertex
+  std::vector<std::uint32_t> removed;  ///< triangles with both vertices
   std::vector<Moved> moved;
 };
 
-/// Triangles that get fewer. Vertices and triangles keep their numbers. Memory: 40 bytes per
+/// A mesh that loses triangles. Vertices and triangles keep their numbers. Memory: 40 bytes per
 /// triangle, 33 per vertex.
 class CollapsingMesh {
  public:
   CollapsingMesh(std::vector<Point> points, std::vector<Triangle> triangles);
 
-  /// The numbers of vertices and triangles, those that are gone counted, too.
+  /// Upper bounds of numbers, including removed vertices and triangles.
   std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(points_.size()); }
   std::uint32_t triangle_slots() const { return static_cast<std::uint32_t>(triangles_.size()); }
-  /// Counts the triangles that are left.
+  /// Returns the number of triangles that are left.
   std::size_t triangle_count() const { return triangle_count_; }
 
   bool has_vertex(std::uint32_t vertex) const { return first_corner_[vertex] != none; }
@@ -48,14 +48,14 @@ class CollapsingMesh {
     return {points_[of[0]], points_[of[1]], points_[of[2]]};
   }
 
-  /// Whether the vertex has an edge with one triangle.
+  /// Whether an edge of the vertex has only one triangle.
   bool is_border(std::uint32_t vertex) const { return kind_[vertex] == Kind::border; }
-  /// Whether the triangles around the vertex are not one fan, so that it has to stay.
+  /// Whether the triangles around the vertex are not a single fan, so that the vertex must stay.
   bool is_fixed(std::uint32_t vertex) const { return kind_[vertex] == Kind::fixed; }
-  /// Equal for vertices that were connected by edges.
+  /// Returns a number that is equal for vertices once connected by edges.
   std::uint32_t body(std::uint32_t vertex) const { return body_[vertex]; }
 
-  /// Calls with each triangle of a vertex, and the vertex' place in the triangle.
+  /// Calls `call` with each triangle of a vertex, and the vertex' place in the triangle.
   template <class Call>
   void for_each_triangle(std::uint32_t vertex, Call call) const {
     std::uint32_t corner = first_corner_[vertex];
@@ -65,7 +65,7 @@ class CollapsingMesh {
       corner = next_corner_[corner];
     } while (corner != first_corner_[vertex]);
   }
-  /// Calls with each edge of a vertex once: the other end.
+  /// Calls `call` once for each edge of a vertex, with the other end.
   template <class Call>
   void for_each_edge(std::uint32_t vertex, Call call) const {
     for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t place) {
@@ -75,13 +75,14 @@ class CollapsingMesh {
         call(before);
     });
   }
-  /// The triangles of an edge.
+  /// Returns the number of triangles of an edge.
   unsigned count_triangles(std::uint32_t a, std::uint32_t b) const;
 
-  /// Sets what a collapse would change.
+  /// Describes a collapse without carrying it out.
   void describe(std::uint32_t kept, std::uint32_t gone, const Point& at, Collapse& collapse) const;
-  /// Whether the surface stays closed and manifold where it was. The ends of the edge have no more
-  /// common neighbours than its triangles have corners (link condition, T. Dey et al., 1999).
+  /// Whether the surface stays closed and manifold where it was. This holds if the common
+  /// neighbours of the edge's ends are exactly the corners of its triangles (link condition, T. Dey
+  /// et al., 1999).
   bool keeps_topology(const Collapse& collapse);
   void carry_out(const Collapse& collapse);
 
@@ -89,7 +90,7 @@ class CollapsingMesh {
   enum class Kind : std::uint8_t { inner, border, fixed };
   static constexpr std::uint32_t none = ~0U;
 
-  // The way from one neighbour of a vertex to the next, across a triangle.
+  // A step from one neighbour of a vertex to the next, across a triangle.
   struct Spoke {
     std::uint32_t from, to;
   };
@@ -101,13 +102,13 @@ class CollapsingMesh {
   void unlink(std::uint32_t vertex, std::uint32_t corner);
 
   std::vector<Point> points_;
-  std::vector<Triangle> triangles_;  // first number none: gone
+  std::vector<Triangle> triangles_;  // removed if the first number is none
   std::size_t triangle_count_;
-  // The corners at a vertex are a ring. Corner 3 t + i is place i of triangle t.
+  // The corners at a vertex form a linked ring. Corner 3 t + i is place i of triangle t.
   std::vector<std::uint32_t> first_corner_, next_corner_;
   std::vector<Kind> kind_;
   std::vector<std::uint32_t> body_;
-  std::vector<std::uint32_t> mark_;  // neighbours under way
+  std::vector<std::uint32_t> mark_;  // temporary marks of neighbours
   std::uint32_t last_mark_ = 0;
 };
 

@@ -14,11 +14,11 @@
 namespace discmc::meshing {
 namespace {
 
-constexpr double first_distance = 0.05;  // Units: the least spacing
-// The factor from step to step of the ramp. Every distance ends at a step, so that a larger
+constexpr double first_distance = 0.05;  // Units: the smallest spacing
+// The factor between steps of the distance. Every distance ends at a step, so that a larger
 // distance continues the mesh of a smaller one.
 const double ramp = std::sqrt(2.0);
-constexpr double min_part = 1e-6;  // of the extent of the mesh, if there is no spacing
+constexpr double min_part = 1e-6;  // of the extent of the mesh, without a spacing
 
 double min_spacing(const FaceMesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ double min_spacing(const FaceMesh& mesh) {
   return least;
 }
 
-// The extent of the mesh: a greater distance bounds nothing.
+// Returns the extent of the mesh. A larger distance limits nothing.
 double extent(const std::vector<Point>& points) {
   Point least = points[0], most = points[0];
   for (const Point& point : points)
@@ -42,7 +42,7 @@ struct SharedTriangles {
   std::vector<Triangle> triangles;
 };
 
-// The triangles of the mesh, numbered along a curve: what is near is then near in memory, too.
+// Returns the triangles of the mesh, numbered along a curve, so that neighbours are near in memory.
 SharedTriangles triangles_along_curve(const FaceMesh& mesh) {
   const std::vector<Box> boxes = boxes_of(mesh.face_count(), [&](std::uint32_t face) {
     const std::uint32_t* of = mesh.face(face);
@@ -67,9 +67,9 @@ SharedTriangles triangles_along_curve(const FaceMesh& mesh) {
   return result;
 }
 
-// The step that gets below the number of triangles is done in one order, up to it. A first step
-// mostly leaves an eighth of the triangles: if more are to be left, that order is tried before the
-// blocks. These are faster, but would only show that the step is the last one.
+// The step that reaches the target collapses edges in one order, and stops at the target. A first
+// step mostly leaves an eighth of the triangles. If more shall be left, this order is tried before
+// the blocks, which are faster but would only show that the step is the last.
 DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
                            const std::function<void()>& check) {
   constexpr std::uint64_t likely_part = 8;
@@ -103,8 +103,8 @@ DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
   return surface;
 }
 
-// The centre of the cell of voxels around a point, within the lattice of the original mesh: there
-// the samples have a gradient.
+// Returns the centre of the voxel cell around a point, within the original lattice, where the
+// samples have a gradient.
 Vertex cell_centre(const Point& point, const Point& spacing, const std::array<Vertex, 2>& lattice) {
   const auto centre = [&](std::size_t axis, std::int32_t least, std::int32_t most) {
     const auto cell = static_cast<std::int32_t>(std::floor(point[axis] / spacing[axis]));

@@ -56,7 +56,7 @@ void DecimationStep::find_blocks() {
   }
 }
 
-// Edges within a block have been tried with it, and are left out.
+// Skips edges within a block, which were tried with the block.
 void DecimationStep::collapse_all() {
   for (std::uint32_t vertex = 0; vertex < mesh_.vertex_slots(); ++vertex)
     if (mesh_.has_vertex(vertex)) add_edges(vertex);
@@ -85,7 +85,7 @@ bool DecimationStep::is_current(const Entry& entry) const {
          entry.changes_of_high == changes_[entry.high];
 }
 
-// A cost may have grown since it was found: then the edge waits again.
+// A cost may have grown since it was computed; the edge then returns to the queue.
 void DecimationStep::collapse_queued() {
   constexpr double rounding = 1 + 1e-7;
   std::uint64_t tried = 0;
@@ -132,7 +132,7 @@ void DecimationStep::carry_out() {
   placing_.update(kept);
   for (const std::uint32_t other : ring_) placing_.update(other);
   for (const std::uint32_t other : ring_) add(kept, other);
-  // Edges that were refused may be collapsible now.
+  // Refused edges may be collapsible now.
   for (const std::uint32_t other : ring_) {
     if (!is_refused_[other]) continue;
     is_refused_[other] = false;

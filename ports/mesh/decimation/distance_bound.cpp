@@ -54,7 +54,7 @@ bool OriginalSurface::is_near(const Collapse& collapse, double distance) const {
   if (!is_near(collapse.at, distance)) return false;
   for (const Collapse::Moved& moved : collapse.moved) {
     if (!is_near(centroid(moved.after), distance)) return false;
-    // The next triangle has the other one of its two edges at the vertex.
+    // The next triangle shares the other of its two edges at the vertex.
     const std::size_t place = static_cast<std::size_t>(
         std::find(moved.numbers.begin(), moved.numbers.end(), collapse.kept) -
         moved.numbers.begin());

@@ -23,7 +23,7 @@ double at(const Symmetric& quadric, const Point& x) {
   return dot(x, product(quadric, x));
 }
 
-// The inverse, or zero if there is none.
+// Returns the inverse, or zero if the matrix is singular.
 Symmetric inverse(const Symmetric& a) {
   Symmetric cofactors = {a[3] * a[5] - a[4] * a[4], a[2] * a[4] - a[1] * a[5],
                          a[1] * a[4] - a[2] * a[3], a[0] * a[5] - a[2] * a[2],
@@ -37,7 +37,7 @@ Point plus(const Point& a, const Point& b, double times = 1) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }
 
-// The point as a file of 32-bit floats holds it, so that what is checked is what is written.
+// Rounds the point to 32-bit floats, so that the checked point is the written one.
 Point rounded(const Point& point) {
   Point result;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -46,10 +46,10 @@ Point rounded(const Point& point) {
 }
 
 constexpr double border_weight = 100;
-constexpr double towards_middle = 1e-3;          // of the mean curvature of the quadric
-constexpr double min_area = 1e-4;                // of a volume constraint, against the area around
-constexpr double max_move = 1;                   // from the middle of an edge; Units: its length
-constexpr double shape = 1e-6, in_plane = 1e-9;  // short edges first where the cost is equal
+constexpr double towards_middle = 1e-3;  // of the quadric's mean curvature
+constexpr double min_area = 1e-4;        // of a volume constraint, relative to the area around
+constexpr double max_move = 1;           // from the middle of an edge; Units: its length
+constexpr double shape = 1e-6, in_plane = 1e-9;  // prefer short edges if costs are equal
 
 }  // namespace
 
@@ -70,7 +70,7 @@ void EdgePlacing::update(std::uint32_t vertex) {
   sums_[vertex] = sums;
 }
 
-// Adds planes through the edges of the border, across its triangles.
+// Adds planes through the border edges, perpendicular to their triangles.
 void EdgePlacing::add_border(std::uint32_t vertex, Sums& sums) const {
   mesh_.for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t place) {
     const Point area = doubled_area(mesh_.corners(triangle));

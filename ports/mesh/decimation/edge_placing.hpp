@@ -1,4 +1,4 @@
-// The position of the vertex that replaces an edge, and its cost.
+// Computes the position and the cost of the vertex that replaces an edge.
 #ifndef DISCMC_MESH_DECIMATION_EDGE_PLACING_HPP
 #define DISCMC_MESH_DECIMATION_EDGE_PLACING_HPP
 
@@ -12,10 +12,9 @@
 
 namespace discmc::meshing {
 
-/// The squared distances of a vertex from the planes of the triangles around both ends of an edge,
-/// weighted by area (M. Garland and P. Heckbert, 1997), are least where the vertex is placed, among
-/// all places that keep the enclosed volume (P. Lindstrom and G. Turk, 1998). The triangles are
-/// the current ones; nothing is kept of earlier ones.
+/// Minimises the squared distances from the planes of the triangles around both ends of an edge,
+/// weighted by area (M. Garland and P. Heckbert, 1997). The enclosed volume stays constant (P.
+/// Lindstrom and G. Turk, 1998). Only current triangles count, never earlier ones.
 class EdgePlacing {
  public:
   explicit EdgePlacing(const CollapsingMesh& mesh);
@@ -24,17 +23,18 @@ class EdgePlacing {
     Point at;
     double cost;
   };
-  /// Nothing if the volume would only be kept far from the edge. An edge with one end on a border
-  /// goes to that end, and an edge of a border to one of its ends. So a plane border stays plane.
+  /// Returns nothing if only a position far from the edge would keep the volume. An edge with one
+  /// end on a border collapses to that end. A border edge collapses to one of its ends, so a plane
+  /// border stays plane.
   std::optional<Place> place(std::uint32_t a, std::uint32_t b) const;
 
-  /// Call it after the triangles around the vertex have changed.
+  /// Updates a vertex after its triangles have changed.
   void update(std::uint32_t vertex);
 
  private:
   using Symmetric = std::array<double, 6>;  // xx, xy, xz, yy, yz, zz
 
-  // The triangles around a vertex, which is a point of their planes.
+  // Sums over the triangles around a vertex, which is a point of their planes.
   struct Sums {
     Symmetric quadric{};
     Point doubled_area{};

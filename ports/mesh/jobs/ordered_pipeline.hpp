@@ -1,4 +1,4 @@
-// Work on items side by side, between two steps that take them one by one, in order.
+// Processes items in parallel, between two sequential steps.
 #ifndef DISCMC_MESH_JOBS_ORDERED_PIPELINE_HPP
 #define DISCMC_MESH_JOBS_ORDERED_PIPELINE_HPP
 
@@ -13,11 +13,10 @@
 
 namespace discmc::meshing {
 
-/// Items 0 to count - 1 pass three steps. The steps fill(number, item) and take(number, item) are
-/// called in the order of the items, by one thread at a time. As many threads as there are jobs
-/// call work(number, item). Items are made once and used again, so that their memory stays: twice
-/// as many as jobs, or twice the count if that is less. What a step throws ends the pipeline, and
-/// is thrown. With one job no thread is started.
+/// Passes items 0 to count - 1 through three steps. fill(number, item) and take(number, item) are
+/// called in order, by one thread at a time. `jobs` threads call work(number, item). Items are
+/// reused to keep their memory: there are twice as many as jobs, or as items if these are fewer. An
+/// exception of a step ends the pipeline and is rethrown. One job starts no thread.
 template <class Item, class Fill, class Work, class Take>
 class OrderedPipeline {
  public:
@@ -36,7 +35,7 @@ class OrderedPipeline {
       for (unsigned i = 1; i < jobs_ && i < count_; ++i)
         threads.emplace_back([this] { run_steps(); });
     } catch (const std::system_error&) {
-      // The system has no thread left: those that there are do all of it.
+      // If the system refuses further threads, the existing ones do all work.
     }
     run_steps();
     for (std::thread& thread : threads) thread.join();
@@ -52,7 +51,7 @@ class OrderedPipeline {
 
   Slot& slot(std::size_t number) { return slots_[number % slots_.size()]; }
 
-  // Until nothing is left to do.
+  // Runs until nothing is left to do.
   void run_steps() {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!error_ && taken_ < count_)
@@ -60,7 +59,7 @@ class OrderedPipeline {
     changed_.notify_all();
   }
 
-  // Whether there was one. What holds up others goes first.
+  // Returns whether there was a step to run. Prefers steps that others wait for.
   bool run_step(std::unique_lock<std::mutex>& lock) {
     if (!is_taking_ && slot(taken_).state == State::done) {
       is_taking_ = true;
@@ -84,7 +83,7 @@ class OrderedPipeline {
     return true;
   }
 
-  // Calls a step without the lock.
+  // Calls a step with the mutex unlocked.
   template <class Step>
   void call(std::unique_lock<std::mutex>& lock, Step& step, std::size_t number) {
     Item& item = slot(number).item;
@@ -107,7 +106,7 @@ class OrderedPipeline {
   Take take_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  // Items that were filled, are or were worked on, and were taken.
+  // Numbers of items that were filled, begun and taken.
   std::size_t filled_ = 0, begun_ = 0, taken_ = 0;
   bool is_filling_ = false, is_taking_ = false;
   std::exception_ptr error_;

@@ -1,4 +1,4 @@
-// How many threads a computer runs at once.
+// The number of threads that a computer runs at once.
 #ifndef DISCMC_MESH_JOBS_PROCESSORS_HPP
 #define DISCMC_MESH_JOBS_PROCESSORS_HPP
 

@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::uint32_t bits_an_axis = 10;
 
-// The bits of a number, two bits apart.
+// Spreads the bits of a number, with two zero bits between them.
 std::uint32_t spread(std::uint32_t number) {
   number = (number | number << 16) & 0x030000FF;
   number = (number | number << 8) & 0x0300F00F;
@@ -13,9 +13,9 @@ std::uint32_t spread(std::uint32_t number) {
   return (number | number << 2) & 0x09249249;
 }
 
-// The place of a point on Hilbert's curve (J. Skilling, Programming the Hilbert Curve, 2004). The
-// curve fills a cube and steps from neighbour to neighbour, so the boxes of a part of it are
-// compact.
+// Returns the position of a point along Hilbert's curve (J. Skilling, Programming the Hilbert
+// Curve, 2004). The curve fills a cube in steps between neighbours, so a part of it has compact
+// boxes.
 std::uint32_t place_on_curve(std::array<std::uint32_t, 3> at) {
   for (std::uint32_t bit = 1U << (bits_an_axis - 1); bit > 1; bit /= 2)
     for (std::uint32_t& each : at) {
@@ -60,7 +60,7 @@ double Box::squared_distance(const Point& point) const {
 std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes) {
   Box all;
   for (const Box& box : boxes) all.include(box);
-  std::vector<std::uint64_t> order;  // place on the curve, place in what was given
+  std::vector<std::uint64_t> order;  // position along the curve, index of the box
   order.reserve(boxes.size());
   for (const Box& box : boxes)
     order.push_back(std::uint64_t{place_on_curve(box, all)} << 32 | order.size());

@@ -1,4 +1,4 @@
-// Boxes in space, found by where they are.
+// Finds boxes by their position in space.
 #ifndef DISCMC_MESH_MESHES_BOX_TREE_HPP
 #define DISCMC_MESH_MESHES_BOX_TREE_HPP
 
@@ -18,12 +18,12 @@ namespace discmc::meshing {
 /// The three corners of a triangle.
 using Corners = std::array<Point, 3>;
 
-/// A vector along the normal of a triangle, twice as long as the triangle is large.
+/// Returns a vector along the normal of a triangle, with twice its area as length.
 inline Point doubled_area(const Corners& triangle) {
   return cross(difference(triangle[1], triangle[0]), difference(triangle[2], triangle[0]));
 }
 
-/// A box along the axes; empty at first. Its bounds are rounded outwards.
+/// An axis-aligned box, initially empty. Its bounds are rounded outwards.
 struct Box {
   Box() = default;
   explicit Box(const Corners& triangle) {
@@ -45,7 +45,7 @@ struct Box {
       high[axis] = std::max(high[axis], box.high[axis]);
     }
   }
-  // Without branches: which way they go is hard to foretell, and wrong guesses cost more.
+  // Avoids branches, because mispredicted ones cost more.
   bool overlaps(const Box& other) const {
     bool result = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -61,8 +61,7 @@ struct Box {
   std::array<float, 3> high{-infinity, -infinity, -infinity};
 };
 
-/// Four boxes, axis by axis, so that vectors of the processor compare all with another.
-/// Missing boxes overlap nothing.
+/// Four boxes, stored axis by axis for vector instructions. Missing boxes overlap nothing.
 class FourBoxes {
  public:
   FourBoxes() {
@@ -80,14 +79,14 @@ class FourBoxes {
     box.high = {high_[0][i], high_[1][i], high_[2][i]};
     return box;
   }
-  /// The box around those with these bits.
+  /// Returns the box around the selected boxes.
   Box around(unsigned bits) const {
     Box all;
     for (std::size_t i = 0; i < 4; ++i)
       if ((bits >> i & 1U) != 0) all.include((*this)[i]);
     return all;
   }
-  /// Bit i: whether box i overlaps another.
+  /// Sets bit i if box i overlaps `other`.
   unsigned overlaps(const Box& other) const {
     Integers bits = {1, 2, 4, 8};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -96,14 +95,14 @@ class FourBoxes {
   }
 
  private:
-  // Vectors of GCC and Clang: loops over four numbers are not always made into vectors.
+  // Vectors of GCC and Clang, because compilers do not always vectorise loops over four numbers.
   using Floats [[gnu::vector_size(16)]] = float;
   using Integers [[gnu::vector_size(16)]] = std::int32_t;
 
   std::array<Floats, 3> low_, high_;
 };
 
-/// The boxes of triangles: corners_of(i) for i from 0 on.
+/// Returns the boxes of triangles corners_of(i), for i from 0 on.
 template <class CornersOf>
 std::vector<Box> boxes_of(std::size_t count, CornersOf corners_of) {
   std::vector<Box> boxes;
@@ -112,20 +111,20 @@ std::vector<Box> boxes_of(std::size_t count, CornersOf corners_of) {
   return boxes;
 }
 
-/// Returns the places of boxes along a curve through space on which near ones are mostly together.
+/// Returns the indexes of boxes along a space-filling curve, which keeps near boxes together.
 std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes);
 
-/// A tree of boxes, four to a node, in which those near to each other are mostly together.
-/// Memory: 40 to 65 bytes per box. Time: n log n to build for n boxes.
+/// A tree of boxes with four per node, mostly near each other. Memory: 40 to 65 bytes per box.
+/// Time: n log n to build for n boxes.
 class BoxTree {
  public:
-  /// Limit: fewer than 2^32.
+  /// Limit: fewer than 2^32 boxes.
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  /// Returns the distance of a point from the nearest of the things that lie in the boxes, or
-  /// `enough` if it is nearer than that. It takes less time the nearer the point is to the one
-  /// before. squared_distance_of: called with the place of a box in what was given, returns that of
-  /// the thing. Limit: some boxes.
+  /// Returns the distance of a point from the nearest item in the boxes, or `enough` if that is
+  /// larger. A point near the previous one takes less time.
+  /// squared_distance_of: called with the index of a box, returns the squared distance of its item.
+  /// Limit: at least one box.
   template <class SquaredDistance>
   double distance(const Point& point, double enough, SquaredDistance squared_distance_of) {
     struct Waiting {
@@ -144,7 +143,7 @@ class BoxTree {
       for (std::uint32_t i = 0; i < 4; ++i) {
         const double away = boxes_[node][i].squared_distance(point);
         if (!(away < nearest)) continue;
-        if (node < leaves_) {  // the nearest child comes last, so that it is the next
+        if (node < leaves_) {  // pushes the nearest child last, to visit it next
           std::size_t at = count++;
           for (; at > first && waiting[at - 1].squared_distance < away; --at)
             waiting[at] = waiting[at - 1];
@@ -161,14 +160,14 @@ class BoxTree {
     return std::max(std::sqrt(nearest), enough);
   }
 
-  /// Calls with the places of boxes that overlap this one, and with these boxes, until a call
-  /// returns true. Returns whether one did.
+  /// Calls `call` with the index of each box that overlaps `box`, and with that box, until a call
+  /// returns true. Returns whether a call did.
   template <class Call>
   bool any_near(const Box& box, Call call) const {
     return any_below(0, box, of_places(call));
   }
-  /// The same, from one place on to those farther and farther away in the tree. It takes less time
-  /// where a near one is found. Limit: some boxes.
+  /// Likewise begins at a place, and continues outwards in the tree. This takes less time if a near
+  /// call returns true. Limit: at least one box.
   template <class Call>
   bool any_near(const Box& box, std::uint32_t from, Call call) const {
     std::size_t node = leaves_ + slots_[from] / 4;
@@ -185,21 +184,23 @@ class BoxTree {
     return false;
   }
 
-  /// Replaces a box. The tree answers the slower the farther boxes move.
+  /// Replaces a box. Searches become slower if boxes move far.
   void replace(std::uint32_t place, const Box& box);
-  /// Where a box was when the tree was built: near boxes have near numbers, from 0 on.
+  /// Returns the position of a box in the curve's order when the tree was built: near boxes have
+  /// near numbers, from 0 on.
   std::uint32_t order_of(std::uint32_t place) const { return slots_[place]; }
 
-  /// Restricts near pairs to those with a box for which is_wanted(place) is true.
+  /// Restricts near pairs to pairs with a box for which is_wanted(place) is true.
   template <class IsWanted>
   void keep_pairs_with(IsWanted is_wanted) {
     std::fill(wanted_.begin(), wanted_.end(), std::uint8_t{0});
     for (std::size_t slot = 0; slot < places_.size(); ++slot)
       if (is_wanted(places_[slot])) wanted_[slot / 4] |= static_cast<std::uint8_t>(1U << slot % 4);
   }
-  /// The number of parts of the search for near pairs.
+  /// Returns the number of parts of the search for near pairs.
   std::size_t part_count() const { return (wanted_.size() + leaves_a_part - 1) / leaves_a_part; }
-  /// Calls with the places of two boxes that overlap. All parts: once for any two.
+  /// Calls `call` with the indexes of two overlapping boxes. All parts together report each pair
+  /// once.
   template <class Call>
   void for_each_near_pair(std::size_t part, Call call) const {
     const std::size_t end = leaves_ + std::min((part + 1) * leaves_a_part, wanted_.size());
@@ -209,15 +210,15 @@ class BoxTree {
 
  private:
   static constexpr std::size_t leaves_a_part = 4096;
-  static constexpr std::size_t max_waiting = 64;  // three on each of 16 levels, and four more
+  static constexpr std::size_t max_waiting = 64;  // three on each of 16 levels, plus four
 
   static std::size_t child(std::size_t node, std::size_t i) { return 4 * node + 1 + i; }
   static std::size_t parent(std::size_t node) { return (node - 1) / 4; }
-  // Where box i of a leaf is in the order of the curve.
+  // Returns the position of box i of a leaf in the curve's order.
   std::size_t slot(std::size_t leaf, std::size_t i) const { return 4 * (leaf - leaves_) + i; }
 
-  // Calls with the leaves that have boxes which overlap this one, and the bits of these, until a
-  // call returns true.
+  // Calls `call` with each leaf that has boxes overlapping `box`, and the bits of these boxes,
+  // until a call returns true.
   template <class Call>
   bool any_below(std::size_t top, const Box& box, Call call) const {
     std::array<std::size_t, max_waiting> waiting;
@@ -246,7 +247,7 @@ class BoxTree {
     };
   }
 
-  // Pairs of the wanted boxes of up to four leaves, which are searched for at once.
+  // Finds pairs of the wanted boxes in up to four leaves at once.
   template <class Call>
   void for_each_pair_with(std::size_t begin, std::size_t end, Call& call) const {
     std::array<Box, 4> wanted;
@@ -262,8 +263,8 @@ class BoxTree {
       return false;
     });
   }
-  // near: the bits of boxes of the other leaf. Two that are both wanted are found from the one that
-  // comes first.
+  // near: the bits of boxes in the other leaf. A pair of wanted boxes is reported only from the
+  // first one.
   template <class Call>
   void for_each_pair_of(std::size_t leaf, std::size_t other, unsigned near, Call& call) const {
     const unsigned wanted = wanted_[leaf - leaves_];
@@ -277,14 +278,14 @@ class BoxTree {
     }
   }
 
-  std::vector<std::uint32_t> places_;  // along a curve through space
-  std::vector<std::uint32_t> slots_;   // of each place, where it is in places_
+  std::vector<std::uint32_t> places_;  // index of each box in the curve's order
+  std::vector<std::uint32_t> slots_;   // position in places_ of each index
 
-  // Node i has the boxes around its children, 4 i + 1 to 4 i + 4; the leaves have what was given.
+  // Node i has the boxes around its children, 4 i + 1 to 4 i + 4; leaves have the original boxes.
   std::vector<FourBoxes> boxes_;
-  std::size_t leaves_ = 0;            // where they begin
-  std::vector<std::uint8_t> wanted_;  // of each leaf, the bits of its boxes
-  std::uint32_t last_ = 0;            // what distance() found
+  std::size_t leaves_ = 0;            // number of the first leaf
+  std::vector<std::uint8_t> wanted_;  // per leaf: bits of its wanted boxes
+  std::uint32_t last_ = 0;            // last result of distance()
 };
 
 }  // namespace discmc::meshing

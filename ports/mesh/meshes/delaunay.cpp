@@ -9,7 +9,7 @@
 namespace discmc::meshing {
 namespace {
 
-// Per triangle on average, so that it ends with hostile input, too.
+// Average number per triangle, which limits the time for hostile input.
 constexpr std::size_t max_flips = 32;
 
 std::uint32_t next(std::uint32_t side) {
@@ -70,8 +70,8 @@ void DelaunayFlips::flip_all(const std::vector<PlanePoint>& points,
   flip_waiting(points, triangles);
 }
 
-// The point cuts the triangle in three. If it lies on an edge, one of them has no area, until the
-// edge is flipped.
+// Cuts a triangle in three at the point. If the point lies on an edge, one of the three has no area
+// until that edge is flipped.
 void DelaunayFlips::insert(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
                            std::uint32_t triangle) {
   const auto point = static_cast<std::uint32_t>(points.size() - 1);
@@ -108,8 +108,7 @@ void DelaunayFlips::insert(const std::vector<PlanePoint>& points, std::vector<Tr
 
 void DelaunayFlips::flip_waiting(const std::vector<PlanePoint>& points,
                                  std::vector<Triangle>& triangles) {
-  // From triangles that are nearly Delaunay's there are few flips; hostile ones must come to an
-  // end.
+  // Nearly Delaunay triangles need few flips; hostile ones need a limit.
   for (std::size_t flips = max_flips * triangles.size(); flips > 0 && !waiting_.empty();) {
     const Side side = waiting_.back();
     waiting_.resize(waiting_.size() - 1);
@@ -146,12 +145,12 @@ void DelaunayFlips::link(Side a, Side b) {
   if (b != no_side) twins_[b] = a;
 }
 
-// The other diagonal of the four points. The triangles a b c and b a d share the side a b; they
+// Replaces the diagonal of the four points. The triangles a b c and b a d share the side a b; they
 // become a d c and d b c.
 void DelaunayFlips::flip(std::vector<Triangle>& triangles, Side side) {
   const Side twin = twins_[side];
   const Side outer[] = {twins_[next(twin)], twins_[previous(twin)], twins_[next(side)],
-                        twins_[previous(side)]};  // of a d, d b, b c and c a
+                        twins_[previous(side)]};  // of sides a d, d b, b c and c a
   const std::uint32_t a = start_of(triangles, side), b = start_of(triangles, twin),
                       c = start_of(triangles, previous(side)),
                       d = start_of(triangles, previous(twin));

@@ -1,4 +1,4 @@
-// Delaunay's triangles from any others: the roundest that the points allow.
+// Turns any triangulation into Delaunay's, which has the roundest triangles.
 #ifndef DISCMC_MESH_MESHES_DELAUNAY_HPP
 #define DISCMC_MESH_MESHES_DELAUNAY_HPP
 
@@ -15,47 +15,47 @@ struct PlanePoint {
   std::int64_t u, v;
 };
 
-/// Keeps the doubled area of three points within 64 bits.
+/// This limit keeps the doubled area of three points within 64 bits.
 constexpr std::int64_t max_plane_coordinate = std::int64_t{1} << 29;
 
-/// Twice the area of a triangle: positive where its corners are in counter-clockwise order.
+/// Returns twice the area of a triangle, positive if its corners are counter-clockwise.
 inline std::int64_t doubled_area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 }
 
-/// Whether d lies inside the circle around a, b and c, which are in counter-clockwise order. False
-/// when in doubt, so that flips come to an end. Limit: c and d lie on two sides of the line a b.
+/// Whether d lies inside the circle around a, b and c, which are counter-clockwise. Returns false
+/// when in doubt, so that flips end. Limit: c and d lie on two sides of the line a b.
 bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
                   const PlanePoint& d);
 
 /// The numbers of three points.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Flips the edges that two triangles share until no point lies inside the circle around a triangle
-/// that it sees. Keeps its memory from one call to the next.
+/// Flips shared edges until no triangle's circumscribed circle contains the opposite point of a
+/// neighbour. Keeps its memory between calls.
 class DelaunayFlips {
  public:
-  /// Side i of triangle t goes from its corner i to the next one and has the number 3 t + i.
+  /// Side i of triangle t goes from corner i to the next one, and has the number 3 t + i.
   using Side = std::uint32_t;
   static constexpr Side no_side = 0xFFFFFFFFu;
 
-  /// triangles: counter-clockwise, none without area; two that share an edge have the same two
-  /// points there.
+  /// triangles: counter-clockwise, none with zero area. Neighbours share the numbers of both points
+  /// of their edge.
   void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles);
   /// The same if it is known of every side which is the other one between the same points. pairs:
   /// unspecified afterwards.
   void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
                std::vector<Side>& pairs);
 
-  /// Adds the last of the points to the triangles, as the last call left them. triangle: the place
-  /// of one that the point lies in, or on an edge that it shares.
+  /// Inserts the last point into the triangles of the previous call. triangle: a triangle that
+  /// contains the point, inside or on a shared edge.
   void insert(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
               std::uint32_t triangle);
 
-  /// The places of the triangles that the last insert() made or changed, some of them repeatedly.
+  /// Returns the triangles that the last insert() made or changed, possibly repeated.
   const std::vector<std::uint32_t>& changed() const { return changed_; }
 
-  /// Whether another triangle has the edge from this corner of a triangle to the next one.
+  /// Whether another triangle shares the edge from this corner to the next one.
   bool is_shared(std::uint32_t triangle, std::uint32_t corner) const {
     return twins_[3 * triangle + corner] != no_side;
   }

@@ -48,7 +48,7 @@ class InterpolatedMesh {
     }
   }
 
-  // Follows the outline of each before the call, and numbers its vertices.
+  // Calls `call` for each polygon, after following its outline and numbering its vertices.
   template <class Call>
   void for_each_polygon(Call call) {
     for (std::size_t block = 0; block < block_count(surface_.polygons); ++block) {
@@ -60,9 +60,9 @@ class InterpolatedMesh {
     }
   }
 
-  // Triangles that leave out crossings may intersect where two sheets are near to each other. They
-  // get their crossings, until no such pair is left. Pairs that leave out none belong to the
-  // interpolated surface itself, and stay.
+  // Triangles that leave out crossings may intersect where two sheets are near each other. Such
+  // triangles get their crossings, until no such pair is left. Other intersecting pairs belong to
+  // the interpolated surface itself, and stay.
   void separate_faces() {
     FaceList faces = all_faces(mesh_);
     for (;;) {
@@ -76,7 +76,7 @@ class InterpolatedMesh {
     }
   }
 
-  // Numbers the crossings in the face and on its sides. Returns whether any was new.
+  // Numbers the crossings in a face and on its sides. Returns whether there was a new crossing.
   bool number_crossings(std::size_t face) {
     const std::size_t vertices = vertices_.positions().size();
     const Incidence incidence = surface_.polygons[mesh_.polygons[face]].incidence;
@@ -89,7 +89,7 @@ class InterpolatedMesh {
     return vertices_.positions().size() > vertices;
   }
 
-  // Replaces triangles of an outdated polygon, or of one with a new vertex on a side.
+  // Replaces the triangles of outdated polygons, and of polygons with a new vertex on a side.
   FaceList renewed_faces(const std::vector<bool>& is_outdated, std::size_t first_new) {
     place_vertices();
     FaceMesh earlier;
@@ -118,8 +118,7 @@ class InterpolatedMesh {
     return renewed;
   }
 
-  // Crossings that an interpolated side needs between its ends become junctions, for both polygons
-  // that have the side.
+  // Adds the crossings that an interpolated side needs as junctions, for both polygons of the side.
   void number_what_sides_need() {
     std::vector<Vertex> needed;
     for (const Polygon& polygon : surface_.polygons)
@@ -129,7 +128,7 @@ class InterpolatedMesh {
     for (const Vertex& vertex : needed) vertices_.add(vertex);
   }
 
-  // Between two corners: from each junction to the next.
+  // Splits the side at its junctions, and adds what each part needs.
   void add_what_sides_need(const Vertex& from, const Vertex& to, std::vector<Vertex>& needed) {
     const Side side = side_between(from, to);
     side_ = {from};
@@ -181,15 +180,15 @@ class InterpolatedMesh {
   const Surface& surface_;
   bool is_mirrored_;
   VertexNumbers vertices_;
-  Outline outline_;  // of the polygon under way
+  Outline outline_;  // of the current polygon
   OutlineTriangulator triangulator_;
   Refinement refinement_;
   unsigned jobs_;
   std::function<void()> check_;
   bool separates_;
-  std::vector<Vertex> side_;  // under way
+  std::vector<Vertex> side_;  // of the current part of a side
   MovedTriangles refined_;
-  std::vector<Point> moved_;  // where the corners and junctions are moved to; Units: half-steps
+  std::vector<Point> moved_;  // new positions of corners and junctions; Units: half-steps
   FaceMesh mesh_;
   std::vector<bool> leaves_out_;  // one per face, as in MovedTriangles
 };

@@ -1,4 +1,4 @@
-// The mesh of a surface whose vertices are moved to the crossings.
+// Makes the mesh of a surface whose vertices move to the crossings.
 #ifndef DISCMC_MESH_MESHES_INTERPOLATED_MESH_HPP
 #define DISCMC_MESH_MESHES_INTERPOLATED_MESH_HPP
 
@@ -7,7 +7,7 @@
 
 namespace discmc::meshing {
 
-/// As build_mesh(). vertices: of its polygons. Limit: the options have crossings.
+/// Implements build_mesh(). vertices: of its polygons. Limit: the options have crossings.
 FaceMesh interpolated_mesh(const Surface& surface, VertexNumbers vertices,
                            const MeshingOptions& options);
 

@@ -1,4 +1,4 @@
-// Where the faces of a mesh go through each other.
+// Finds the faces of a mesh that intersect.
 #ifndef DISCMC_MESH_MESHES_INTERSECTIONS_HPP
 #define DISCMC_MESH_MESHES_INTERSECTIONS_HPP
 
@@ -11,22 +11,21 @@
 
 namespace discmc::meshing {
 
-/// Places of faces.
+/// Indexes of faces.
 using FaceList = std::vector<std::uint32_t>;
 using FacePair = std::array<std::uint32_t, 2>;
 
 FaceList all_faces(const FaceMesh& mesh);
 
-/// Returns any two of these faces that have more points in common than the vertices and edges that
-/// they share. Two that lie in one plane are not looked at. Limit: triangles.
-/// check, jobs: as MeshingOptions. is_wanted: one per face of the mesh, or none; then each pair has
-/// one that is wanted. Time: n log n for n faces, and the pairs that are next to each
-/// other.
+/// Returns each pair of these faces that intersect beyond shared vertices and edges. Ignores pairs
+/// in one plane. Limit: triangles. check, jobs: as MeshingOptions. is_wanted: one per face of the
+/// mesh, or empty; each pair then has a wanted face. Time: n log n for n faces, plus the number of
+/// neighbouring pairs.
 std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces,
                                          const std::function<void()>& check = {}, unsigned jobs = 1,
                                          const std::vector<bool>& is_wanted = {});
 
-/// Returns the faces, of all, that are in a box which overlaps that of one of these. Limit:
+/// Returns all faces of the mesh whose boxes overlap the box of one of these faces. Limit:
 /// triangles.
 FaceList near_faces(const FaceMesh& mesh, const FaceList& faces);
 

@@ -1,4 +1,4 @@
-// A plane of the half-step lattice by two of the three coordinates.
+// Projects a plane of the half-step lattice to two of the three coordinates.
 #ifndef DISCMC_MESH_MESHES_LATTICE_PLANE_HPP
 #define DISCMC_MESH_MESHES_LATTICE_PLANE_HPP
 
@@ -14,17 +14,17 @@ namespace discmc::meshing {
 /// The coordinates of PlaneAxes, from an origin on.
 class LatticePlane {
  public:
-  /// origin: any vertex of the plane; has the coordinates 0 and 0.
+  /// origin: any vertex of the plane; its projection is (0, 0).
   LatticePlane(const Vertex& origin, Incidence incidence)
       : axes_(plane_axes(incidence)), origin_(origin), incidence_(incidence) {}
 
-  /// Limit: vertices of the plane.
+  /// Projects a vertex. Limit: vertices of the plane.
   PlanePoint at(const Vertex& vertex) const {
     return {std::int64_t{vertex.*axes_.u} - origin_.*axes_.u,
             std::int64_t{vertex.*axes_.v} - origin_.*axes_.v};
   }
 
-  /// The vertex that has these coordinates.
+  /// Returns the vertex of a projection.
   Vertex vertex(const PlanePoint& point) const {
     const Vertex normal = incidence_normal(incidence_);
     const std::int64_t along = normal.*axes_.u * point.u + normal.*axes_.v * point.v;

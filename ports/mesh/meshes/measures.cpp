@@ -9,7 +9,7 @@
 namespace discmc::meshing {
 namespace {
 
-// Adds up pyramids from one point to the faces: near by, so that little is rounded. areas:
+// Sums pyramids from an apex to the faces. The apex is near, to keep rounding small. areas:
 // area_vector() of each face.
 Enclosed enclosed_by(const FaceMesh& mesh, const std::vector<Point>& areas) {
   if (mesh.face_count() == 0) return {0, {}, 0, 0};

@@ -1,4 +1,4 @@
-// How large a mesh is.
+// Measures a mesh.
 #ifndef DISCMC_MESH_MESHES_MEASURES_HPP
 #define DISCMC_MESH_MESHES_MEASURES_HPP
 
@@ -9,22 +9,22 @@
 
 namespace discmc::meshing {
 
-/// What only a closed mesh has.
+/// Measures that only a closed mesh has.
 struct Enclosed {
-  double volume_mm3;     ///< without cavities
-  Point centre_mm;       ///< of mass, of this volume
-  std::uint64_t bodies;  ///< pieces that hang together by edges
+  double volume_mm3;     ///< excludes cavities
+  Point centre_mm;       ///< centre of mass of the volume
+  std::uint64_t bodies;  ///< pieces connected by edges
   std::uint64_t cavities;
 };
 
 struct Measures {
-  double area_mm2 = 0;  ///< that of cavities too
+  double area_mm2 = 0;  ///< includes the walls of cavities
   Point min_mm{}, max_mm{};
   std::optional<Enclosed> enclosed;
 };
 
-/// Measures a mesh where it lies. Exact for a merged surface, but for rounding. Limit: triangles.
-/// Cost: edges are sorted; memory of 72 bytes per triangle.
+/// Measures a mesh at its position. Exact for a merged surface, except for rounding. Limit:
+/// triangles. Cost: sorts edges; memory of 72 bytes per triangle.
 Measures measures_of(const FaceMesh& mesh);
 
 }  // namespace discmc::meshing

@@ -23,7 +23,7 @@ FaceMesh build_mesh(const Surface& surface, const MeshingOptions& options) {
 }
 
 Point outward_normal(Incidence incidence, const Point& spacing_mm) {
-  // Planes transform by the inverse; a signed inverse also keeps the normal outside.
+  // Planes transform by the inverse; a signed inverse also keeps the normal outward.
   const Vertex n = incidence_normal(incidence);
   const Point scaled = {n.x / spacing_mm[0], n.y / spacing_mm[1], n.z / spacing_mm[2]};
   const double length = std::hypot(scaled[0], scaled[1], scaled[2]);

@@ -1,4 +1,4 @@
-// From polygons on the half-step lattice to a mesh in millimetres.
+// Converts polygons on the half-step lattice to a mesh in millimetres.
 #ifndef DISCMC_MESH_MESHES_MESH_HPP
 #define DISCMC_MESH_MESHES_MESH_HPP
 
@@ -14,7 +14,7 @@ namespace discmc::meshing {
 
 class Crossings;
 
-/// What a byte can count, as in PLY files.
+/// The maximum of a byte, which counts corners in PLY files.
 constexpr std::size_t max_face_corners = 255;
 
 enum class Faces {
@@ -23,43 +23,42 @@ enum class Faces {
 };
 
 struct MeshingOptions {
-  /// Keep the vertices on straight sides where boundary links of other polygons end. The mesh then
-  /// has no T-junctions. Without them it is smaller and only looks closed.
+  /// Whether to keep vertices on straight sides at which boundary links of other polygons end. The
+  /// mesh then has no T-junctions. Without these vertices it is smaller, but only looks closed.
   bool is_conforming = true;
   Faces faces = Faces::polygons;
-  /// Moves the vertices to where the samples cross the threshold: Crossings::interpolated(). Faces
-  /// then go through each other only where the interpolated surface does so itself. Limit:
-  /// triangles, conforming. Owner: the caller.
+  /// Moves vertices to the places where samples cross the threshold: Crossings::interpolated().
+  /// Faces then intersect only where the interpolated surface itself does. Limit: conforming
+  /// triangles. Owner: the caller.
   const Crossings* crossings = nullptr;
-  /// How far a crossing may be from the mesh then: where it would be farther, sides and triangles
-  /// are split. Units: voxels.
+  /// The largest distance of a crossing from the mesh. Larger distances split sides and triangles.
+  /// Units: voxels.
   double tolerance = 0.05;
-  /// This many threads triangulate polygons; of an interpolated mesh they find where it intersects
-  /// itself. The mesh is the same.
+  /// The number of threads that triangulate polygons and search an interpolated mesh for
+  /// intersections. The mesh does not depend on this.
   unsigned jobs = 1;
-  /// Called now and then, by one thread at a time, if it is given. What it throws ends the call.
+  /// Called regularly, if set, by one thread at a time. Its exceptions end the call.
   std::function<void()> check{};
-  /// Whether faces of an interpolated mesh are split if they go through each other: false where
-  /// only the volume is measured.
+  /// Whether intersecting faces of an interpolated mesh are split. Measuring a volume does not need
+  /// this.
   bool separates = true;
 };
 
 /// Faces over shared vertices. Faces are counter-clockwise seen from outside.
 struct FaceMesh {
   Point spacing_mm{};                      ///< as in Surface
-  std::vector<Point> vertices_mm;          ///< one for each corner of the surface, and more of an
-                                           ///< interpolated one
-  std::vector<Vertex> lattice;             ///< one per vertex: its position before it was moved, if
-                                           ///< it was; the cell of a decimated one; none in others
+  std::vector<Point> vertices_mm;          ///< one per corner of the surface; more if interpolated
+  std::vector<Vertex> lattice;             ///< one per vertex: its position before it moved, or the
+                                           ///< cell of a decimated vertex; otherwise empty
   std::vector<std::uint32_t> corners;      ///< vertex numbers, face after face
   std::vector<std::size_t> face_begin{0};  ///< face f: corners face_begin[f] to face_begin[f + 1]
-  /// One per face; none where faces lie in any plane, or the mesh has been placed.
+  /// One per face; empty if faces are not lattice planes, or if the mesh has been placed.
   std::vector<Incidence> incidences;
-  std::vector<std::uint32_t> polygons;  ///< one per face: its place in Surface::polygons
-  /// One per vertex, or none at all: unit vectors that point outside, zero where there is none.
+  std::vector<std::uint32_t> polygons;  ///< one per face: its index in Surface::polygons
+  /// One per vertex, or empty: unit vectors that point outside, or zero.
   std::vector<Point> normals;
-  /// Places in Surface::polygons of those that have no face here: they are not valid (Ring,
-  /// Polygon) and cannot be triangulated.
+  /// Indexes in Surface::polygons of polygons without a face here: invalid ones (Ring, Polygon),
+  /// which cannot be triangulated.
   std::vector<std::uint32_t> left_out{};
 
   std::size_t face_count() const { return face_begin.size() - 1; }
@@ -67,31 +66,31 @@ struct FaceMesh {
   const std::uint32_t* face(std::size_t face) const { return corners.data() + face_begin[face]; }
 };
 
-/// Makes a mesh of all polygons. Voxel (i, j, k) lies at (i, j, k) times the spacing.
-/// Throws std::invalid_argument when a spacing is zero or not finite, or beyond the limits of the
-/// options.
+/// Makes a mesh of all polygons. Voxel (i, j, k) lies at (i, j, k) times the spacing. Throws
+/// std::invalid_argument if a spacing is zero or not finite, or if the mesh exceeds the limits of
+/// the options.
 FaceMesh build_mesh(const Surface& surface, const MeshingOptions& options = {});
 
-/// The unit vector that points from on to off where the voxels have this spacing.
+/// Returns the unit vector that points from on to off, for voxels of this spacing.
 Point outward_normal(Incidence incidence, const Point& spacing_mm);
 
-/// A vector along the normal of a face, as long as the face is large; exact enough also where
+/// Returns a vector along the normal of a face, with its area as length. It is accurate even if
 /// corners are collinear. Units: square millimetres.
 Point area_vector(const FaceMesh& mesh, std::size_t face);
-/// The same of a ring. corners: `count` numbers of vertices.
+/// Likewise returns the vector of a ring. corners: `count` vertex numbers.
 Point area_vector(const std::vector<Point>& vertices, const std::uint32_t* corners,
                   std::size_t count);
 
-/// The unit normal of a face, by its incidence where it has one; zero where it has no area.
+/// Returns the unit normal of a face, by its incidence if it has one; zero if the face has no area.
 Point face_normal(const FaceMesh& mesh, std::size_t face);
 
-/// What is wrong with a mesh. A closed mesh has zero everywhere but in `edges`.
+/// The faults of a mesh. For a closed mesh, all members except `edges` are 0.
 struct MeshReport {
   std::size_t edges = 0;               ///< undirected
   std::size_t open_edges = 0;          ///< used by one face
   std::size_t non_manifold_edges = 0;  ///< used by three faces or more
   std::size_t wrongly_oriented = 0;    ///< used by two faces in the same direction
-  std::size_t degenerate_faces = 0;    ///< no area, or a vertex twice
+  std::size_t degenerate_faces = 0;    ///< without area, or with a vertex twice
 
   bool closed() const {
     return open_edges + non_manifold_edges + wrongly_oriented + degenerate_faces == 0;
@@ -100,15 +99,15 @@ struct MeshReport {
 
 MeshReport check_mesh(const FaceMesh& mesh);
 
-/// Whether a face has no area, or a vertex twice.
+/// Whether a face has no area, or has a vertex twice.
 bool is_degenerate(const FaceMesh& mesh, std::size_t face);
 
-/// Whether every edge is used in one direction as often as in the other, as in MeshReport, in time
-/// n for n faces. Compares sums of hashes, so an open mesh passes once in 2^64.
+/// Whether every edge is used as often in one direction as in the other, as in MeshReport. Compares
+/// sums of hashes, so an open mesh passes once in 2^64. Time: n for n faces.
 bool is_closed(const FaceMesh& mesh);
 
-/// The sum of hashes that is_closed() compares with zero. Sums of parts of a mesh add up to its
-/// own. numbers: of the vertices in the whole mesh; the same as in the part if none are given.
+/// Returns the sum of hashes that is_closed() compares with zero. The sums of a mesh's parts add up
+/// to its own. numbers: of the part's vertices in the whole mesh; empty: equal to the part's.
 std::uint64_t edge_sum(const FaceMesh& part, const std::vector<std::uint32_t>& numbers = {});
 
 }  // namespace discmc::meshing

@@ -7,7 +7,7 @@
 namespace discmc::meshing {
 namespace {
 
-// Bits of a number, mixed (splitmix64, S. Vigna, 2015).
+// Mixes the bits of a number (splitmix64, S. Vigna, 2015).
 std::uint64_t mixed(std::uint64_t number) {
   number += 0x9E3779B97F4A7C15;
   number = (number ^ number >> 30) * 0xBF58476D1CE4E5B9;
@@ -21,7 +21,7 @@ bool repeats_a_vertex(const std::uint32_t* face, std::size_t count) {
   return false;
 }
 
-// Twice the area against the square of the extent: rounding in millimetres stays far below.
+// Twice the area relative to the squared extent. Rounding in millimetres is far smaller.
 constexpr double min_relative_area = 1e-12;
 
 bool has_area(const FaceMesh& mesh, const std::uint32_t* face, std::size_t count) {

@@ -1,4 +1,4 @@
-// The edges of a mesh, and what they join.
+// The edges of a mesh, and the faces that they join.
 #ifndef DISCMC_MESH_MESHES_MESH_EDGES_HPP
 #define DISCMC_MESH_MESHES_MESH_EDGES_HPP
 
@@ -11,18 +11,18 @@
 
 namespace discmc::meshing {
 
-/// An edge as one face uses it.
+/// One face's use of an edge.
 struct FaceEdge {
   std::uint32_t low, high;  ///< vertex numbers
   std::uint32_t face;
-  bool falls;  ///< runs from the higher number to the lower one
+  bool falls;  ///< whether it runs from the higher number to the lower
 
   bool joins_the_same(const FaceEdge& other) const {
     return low == other.low && high == other.high;
   }
 };
 
-/// Every edge of every face; those that join the same vertices follow each other.
+/// Returns every edge of every face. Uses of one edge follow each other.
 std::vector<FaceEdge> sorted_edges(const FaceMesh& mesh);
 
 /// Calls call(uses, count) for the uses of each undirected edge.

@@ -1,4 +1,4 @@
-// What a polygon becomes faces of: its corners and junctions, and the triangles over them.
+// The outline of a polygon with its corners and junctions, and the triangles over it.
 #ifndef DISCMC_MESH_MESHES_OUTLINE_HPP
 #define DISCMC_MESH_MESHES_OUTLINE_HPP
 
@@ -27,19 +27,19 @@ class Outline {
     for (const Ring& ring : polygon.rings) add_ring(ring);
   }
 
-  /// Numbers the vertices as those of the whole surface.
+  /// Finds the numbers of the vertices in the whole surface.
   void find_numbers() {
     numbers.clear();
     for (const Vertex& vertex : vertices) numbers.push_back(all_.find(vertex));
   }
-  /// Numbers the vertices from first on.
+  /// Numbers the vertices from `first` on.
   void count_from(std::size_t first) {
     numbers.resize(vertices.size());
     std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(first));
   }
 
   std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> numbers;  // of the vertices
+  std::vector<std::uint32_t> numbers;  // one per vertex
   std::vector<std::uint32_t> ring_ends;
 
  private:
@@ -51,8 +51,8 @@ class Outline {
     ring_ends.push_back(static_cast<std::uint32_t>(vertices.size()));
   }
 
-  // If three or more boundary links end in a vertex, some side ends there as well. A vertex that is
-  // a corner of no ring is no junction.
+  // If three or more boundary links end at a vertex, some polygon's side ends there as well. A
+  // vertex that is no ring's corner is not a junction.
   void add_junctions(const Vertex& from, const Vertex& to) {
     if (links_between(from, to) < 2) return;
     const Side side = side_between(from, to);
@@ -67,12 +67,12 @@ class Outline {
   bool has_junctions_;
 };
 
-/// Places in Surface::polygons.
+/// A range of indexes in Surface::polygons.
 struct PolygonSpan {
   std::size_t first, end;
 };
 
-/// Polygons are worked on in blocks, as many of them at once as there are jobs.
+/// Polygons are processed in blocks, one per job at a time.
 constexpr std::size_t polygons_per_block = 1 << 12;
 
 inline std::size_t block_count(const Polygons& polygons) {
@@ -83,7 +83,7 @@ inline PolygonSpan block_of(const Polygons& polygons, std::size_t block) {
   return {first, std::min(first + polygons_per_block, polygons.size())};
 }
 
-/// Calls for every polygon of a block with its number, when its outline has been followed.
+/// Calls `call` with the number of each polygon of a block, after following its outline.
 template <class Call>
 void for_each_polygon(const Surface& surface, std::size_t block, Outline& outline, Call call) {
   const PolygonSpan span = block_of(surface.polygons, block);
@@ -93,15 +93,15 @@ void for_each_polygon(const Surface& surface, std::size_t block, Outline& outlin
   }
 }
 
-/// The order of the corners of a face is turned round where an odd number of axes is.
+/// An odd number of negative axes reverses the corners of faces.
 inline bool is_mirrored(const Point& spacing) {
   return (spacing[0] < 0) != ((spacing[1] < 0) != (spacing[2] < 0));
 }
 
-/// Triangles over the corners and junctions of a polygon.
+/// Triangulates the corners and junctions of a polygon.
 class OutlineTriangulator {
  public:
-  // By places in the outline. Returns none as Triangulator::triangulate().
+  // Returns triangles of indexes in the outline, or none, like Triangulator::triangulate().
   const std::vector<Triangle>& triangulate(const Outline& outline, Incidence incidence) {
     const std::vector<Vertex>& vertices = outline.vertices;
     plane_ = LatticePlane(vertices.empty() ? Vertex{} : vertices[0], incidence);
@@ -120,7 +120,7 @@ class OutlineTriangulator {
   Triangulator triangulator_;
 };
 
-/// at: in half-steps.
+/// at: Units: half-steps.
 inline Point in_mm(const Point& at, const Point& spacing) {
   return {at[0] * spacing[0] / 2, at[1] * spacing[1] / 2, at[2] * spacing[2] / 2};
 }
@@ -130,8 +130,8 @@ inline Point point_of(const Vertex& vertex) {
           static_cast<double>(vertex.z)};
 }
 
-/// A closed surface has two triangles a vertex (Euler), and more only with many handles. What is
-/// reserved and not used costs nothing; vectors that grow are there twice while they do.
+/// Reserves faces for two triangles per vertex, which a closed surface without many handles has
+/// (Euler). Unused reserved memory costs nothing, but growing vectors temporarily exist twice.
 inline void reserve_faces(FaceMesh& mesh, std::size_t vertices) {
   const std::size_t faces = 2 * vertices + vertices / 4;
   mesh.corners.reserve(3 * faces);

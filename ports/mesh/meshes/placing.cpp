@@ -6,7 +6,7 @@
 namespace discmc::meshing {
 namespace {
 
-// v[0] columns[0] + v[1] columns[1] + v[2] columns[2].
+// Returns v[0] columns[0] + v[1] columns[1] + v[2] columns[2].
 Point combined(const Axes& columns, const Point& v) {
   Point sum{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -17,7 +17,7 @@ Point combined(const Axes& columns, const Point& v) {
 }  // namespace
 
 void place(FaceMesh& mesh, const VolumePlacement& placement) {
-  // From millimetres along the axes to space: a rotation, but for oblique axes.
+  // Maps millimetres along the axes to space: a rotation, unless axes are oblique.
   Axes turn = placement.axes_mm;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (double& along : turn[axis]) along /= mesh.spacing_mm[axis];
@@ -26,7 +26,7 @@ void place(FaceMesh& mesh, const VolumePlacement& placement) {
     for (std::size_t i = 0; i < 3; ++i) vertex[i] += placement.origin_mm[i];
   }
 
-  // Planes go by the inverse transpose: these are its columns, times the determinant.
+  // Planes transform by the inverse transpose. These are its columns, times the determinant.
   Axes turn_planes{cross(turn[1], turn[2]), cross(turn[2], turn[0]), cross(turn[0], turn[1])};
   const bool mirrors = determinant(turn) < 0;
   if (mirrors)

@@ -1,4 +1,4 @@
-// A mesh moved to where its volume lies.
+// Moves a mesh to the place of its volume.
 #ifndef DISCMC_MESH_MESHES_PLACING_HPP
 #define DISCMC_MESH_MESHES_PLACING_HPP
 
@@ -7,10 +7,10 @@
 
 namespace discmc::meshing {
 
-/// Moves a mesh of build_mesh(), once, from where its spacing has it. This moves vertices and
-/// normals (as planes move, also by oblique axes), and reverses corners if the placement mirrors. A
-/// vertex (x, y, z), in half-steps, then lies at origin + (x axes[0] + y axes[1] + z axes[2]) / 2.
-/// Limit: is_usable(placement).
+/// Moves a mesh of build_mesh() to its place; call it once. Transforms vertices and normals, as
+/// planes, even for oblique axes. Reverses corners if the placement mirrors. A vertex (x, y, z), in
+/// half-steps, then lies at origin + (x axes[0] + y axes[1] + z axes[2]) / 2. Limit:
+/// is_usable(placement).
 void place(FaceMesh& mesh, const VolumePlacement& placement);
 
 }  // namespace discmc::meshing

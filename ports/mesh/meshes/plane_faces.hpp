@@ -1,5 +1,5 @@
-// The faces of a surface whose polygons stay in their planes, block by block: a mesh can be written
-// while it is made.
+// The faces of a surface whose polygons stay in their planes, block by block, so that a mesh can be
+// written while it is made.
 #ifndef DISCMC_MESH_MESHES_PLANE_FACES_HPP
 #define DISCMC_MESH_MESHES_PLANE_FACES_HPP
 
@@ -11,21 +11,21 @@
 
 namespace discmc::meshing {
 
-/// Makes faces, in memory that it keeps: one for each thread.
+/// Makes faces in memory that it reuses. Each thread needs its own object.
 class PlaneFaces {
  public:
-  /// vertices: of the polygons of the surface. Limit: nothing is interpolated. Owner: the caller
-  /// has surface and vertices.
+  /// vertices: of the surface's polygons. Limit: no interpolation. Owner: the caller keeps surface
+  /// and vertices.
   PlaneFaces(const Surface& surface, const VertexNumbers& vertices, const MeshingOptions& options)
       : surface_(surface),
         faces_(options.faces),
         is_mirrored_(is_mirrored(surface.spacing_mm)),
         outline_(vertices, options.is_conforming) {}
 
-  /// Makes the faces of a block of polygons. mesh: gets them in place of its own, over the numbers
-  /// of all vertices; its vertices stay.
+  /// Makes the faces of a block of polygons, over the numbers of all vertices. mesh: receives them
+  /// instead of its own faces; its vertices stay.
   void make(std::size_t block, FaceMesh& mesh);
-  /// The same faces, over vertices of their own: those of each polygon, in mesh.lattice.
+  /// Makes the same faces, but over vertices of each polygon's own, in mesh.lattice.
   void make_apart(std::size_t block, FaceMesh& mesh);
 
  private:

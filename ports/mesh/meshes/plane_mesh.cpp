@@ -41,7 +41,7 @@ FaceMesh plane_mesh(const Surface& surface, VertexNumbers vertices, const Meshin
     std::unique_ptr<PlaneFaces> faces;
     FaceMesh part;
   };
-  // Vertices are placed beside the first blocks.
+  // The first blocks also place vertices, in parallel with their faces.
   run_in_order<Block>(
       options.jobs, 1 + block_count(surface.polygons),
       [&](std::size_t, Block& block) {

@@ -1,4 +1,4 @@
-// The mesh of a surface whose polygons stay in their planes.
+// Makes the mesh of a surface whose polygons stay in their planes.
 #ifndef DISCMC_MESH_MESHES_PLANE_MESH_HPP
 #define DISCMC_MESH_MESHES_PLANE_MESH_HPP
 
@@ -7,7 +7,7 @@
 
 namespace discmc::meshing {
 
-/// As build_mesh(). vertices: of its polygons. Limit: nothing is interpolated.
+/// Implements build_mesh(). vertices: of its polygons. Limit: no interpolation.
 FaceMesh plane_mesh(const Surface& surface, VertexNumbers vertices, const MeshingOptions& options);
 
 }  // namespace discmc::meshing

@@ -1,4 +1,4 @@
-// How far a point is from a line segment and from a triangle.
+// Distances of a point from a line segment and from a triangle.
 #ifndef DISCMC_MESH_MESHES_POINT_DISTANCE_HPP
 #define DISCMC_MESH_MESHES_POINT_DISTANCE_HPP
 
@@ -21,7 +21,7 @@ inline double squared_distance(const Point& point, const std::array<Point, 2>& s
   return dot(rest, rest);
 }
 
-/// By the region of the plane that the point is above: of a corner, of a side, or of the triangle
+/// Distinguishes the region above which the point lies: of a corner, of a side, or of the triangle
 /// itself (C. Ericson, Real-Time Collision Detection, 2005).
 inline double squared_distance(const Point& point, const std::array<Point, 3>& triangle) {
   const auto& [a, b, c] = triangle;

@@ -29,7 +29,7 @@ class RowWithin {
  public:
   explicit RowWithin(std::int64_t v) : v_(v) {}
 
-  // Keeps what lies to the left of an edge, and on it where that counts.
+  // Keeps points to the left of an edge, and points on it if with_edge.
   void cut(const PlanePoint& from, const PlanePoint& to, bool with_edge) {
     const std::int64_t du = to.u - from.u, dv = to.v - from.v, product = du * (v_ - from.v);
     if (dv > 0)
@@ -49,8 +49,8 @@ class RowWithin {
   std::int64_t v_;
 };
 
-// Calls for all crossings in a triangle but its corners. with_side: those on a side as well, one
-// for each, from its corner to the next.
+// Calls `call` for all crossings in a triangle except its corners. with_side: includes one side per
+// corner, from that corner to the next.
 template <class Call>
 void for_each_crossing(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
                        const std::array<bool, 3>& with_side, Call call) {
@@ -65,7 +65,7 @@ void for_each_crossing(const LatticePlane& plane, const std::array<PlanePoint, 3
   }
 }
 
-// Whether there are crossings between the ends of a side.
+// Whether a side has crossings between its ends.
 bool has_crossings(const Vertex& from, const Vertex& to) {
   const Side side = side_between(from, to);
   Vertex vertex = from;
@@ -85,7 +85,7 @@ Refinement::Refinement(const Crossings& crossings, double tolerance)
 
 const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& side) {
   needed_.clear();
-  if (side.size() == 2) return needed_;  // as most are
+  if (side.size() == 2) return needed_;  // the usual case
   side_.resize(side.size());
   for (std::size_t i = 0; i < side.size(); ++i)
     if (i == 0 || i + 1 == side.size() || is_middle(side[i])) side_[i] = moved(side[i]);
@@ -96,7 +96,7 @@ const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& si
     double most = squared_tolerance_;
     std::size_t farthest = begin;
     for (std::size_t i = begin + 1; i < end; ++i) {
-      if (!is_middle(side[i])) continue;  // the mean of crossings at a centroid adds nothing
+      if (!is_middle(side[i])) continue;  // a centroid, the mean of crossings, adds nothing
       const double distance = squared_distance(side_[i], std::array{side_[begin], side_[end]});
       if (distance <= most) continue;
       most = distance;

@@ -1,4 +1,4 @@
-// Merged polygons made fine enough for the interpolated surface.
+// Refines merged polygons for the interpolated surface.
 #ifndef DISCMC_MESH_MESHES_REFINEMENT_HPP
 #define DISCMC_MESH_MESHES_REFINEMENT_HPP
 
@@ -16,35 +16,34 @@
 
 namespace discmc::meshing {
 
-/// The triangles of a polygon, and where their corners are moved to.
+/// The triangles of a polygon, and the new positions of their corners.
 struct MovedTriangles {
   std::vector<PlanePoint> points;
   std::vector<Point> moved;  ///< one per point; Units: half-steps
   std::vector<Triangle> triangles;
-  /// One per triangle: false if all crossings in it and on its sides are points. Set by
+  /// One per triangle: false if all crossings in the triangle and on its sides are points. Set by
   /// Refinement::refine().
   std::vector<bool> leaves_out;
 };
 
-/// Finds the vertices that a polygon needs when its vertices are moved to the crossings
-/// of the samples: in the manner of greedy insertion (M. Garland, P. Heckbert, Fast Polygonal
-/// Approximation of Terrains and Height Fields, 1995) the one that is farthest away is added, until
-/// none is farther than the tolerance.
+/// Finds the vertices that a polygon needs when its vertices move to the crossings of the samples.
+/// Like greedy insertion (M. Garland, P. Heckbert, Fast Polygonal Approximation of Terrains and
+/// Height Fields, 1995), it adds the farthest crossing until all are within the tolerance.
 class Refinement {
  public:
-  /// tolerance: how far a crossing may be from the mesh. Units: voxels. Owner of the crossings: the
-  /// caller.
+  /// tolerance: the largest distance of a crossing from the mesh. Units: voxels. Owner of the
+  /// crossings: the caller.
   Refinement(const Crossings& crossings, double tolerance);
 
-  /// Where a vertex is moved to. Units: half-steps.
+  /// Returns the new position of a vertex. Units: half-steps.
   Point moved(const Vertex& vertex) const { return crossings_.interpolated(vertex); }
 
-  /// Returns the places of the vertices that a straight side needs between its ends; valid until
-  /// the next call. side: all its vertices, in the same order for both polygons that have it.
+  /// Returns the indexes of vertices that a straight side needs between its ends; valid until the
+  /// next call. side: all its vertices, in one order for both polygons of the side.
   const std::vector<std::size_t>& needed(const std::vector<Vertex>& side);
 
-  /// Adds the points that the polygon needs inside. triangles: Delaunay's, but for the sides of the
-  /// polygon. required: vertices that it gets in any case.
+  /// Adds the points that the polygon needs inside. triangles: Delaunay's, within the sides of the
+  /// polygon. required: vertices to add in any case.
   void refine(const LatticePlane& plane, const VertexNumbers& required, MovedTriangles& triangles);
 
   /// Adds the crossings in a triangle and on its sides to the vertices.
@@ -67,7 +66,7 @@ class Refinement {
   std::vector<std::pair<std::size_t, std::size_t>> spans_;
   std::vector<std::size_t> needed_;
   DelaunayFlips flips_;
-  std::vector<std::uint32_t> waiting_;  // triangles to be looked at
+  std::vector<std::uint32_t> waiting_;  // triangles to check
   std::vector<bool> waits_;
 };
 

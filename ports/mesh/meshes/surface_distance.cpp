@@ -34,7 +34,7 @@ double area(const Corners& triangle) {
   return std::hypot(doubled[0], doubled[1], doubled[2]) / 2;
 }
 
-// Points in a unit square that fill it evenly, however many (M. Roberts, 2018).
+// Points that fill a unit square evenly for any count (M. Roberts, 2018).
 class EvenPoints {
  public:
   std::array<double, 2> next() {

@@ -9,7 +9,7 @@
 namespace discmc::meshing {
 namespace {
 
-// For every vertex the first one at its position.
+// Returns the first vertex at the position of each vertex.
 std::vector<std::uint32_t> first_at_position(const std::vector<Point>& vertices) {
   std::vector<std::uint32_t> sorted(vertices.size());
   std::iota(sorted.begin(), sorted.end(), 0U);
@@ -28,26 +28,26 @@ void add(Point& sum, const Point& vector) {
   for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += vector[axis];
 }
 
-// An area vector cut down to the root of its length.
+// Scales an area vector to the root of its length.
 Point weighted(const Point& area) {
   const double root = std::sqrt(std::hypot(area[0], area[1], area[2]));
   return root > 0 ? Point{area[0] / root, area[1] / root, area[2] / root} : Point{};
 }
 
-// Units: radians; 0 where it is none.
+// Units: radians; 0 if the angle is undefined.
 double angle_between(const Point& a, const Point& b) {
   const Point across = cross(a, b);
   return std::atan2(std::hypot(across[0], across[1], across[2]), dot(a, b));
 }
 
-// first: as first_at_position(). Adds to those vertices.
+// first: from first_at_position(). Adds to the normals of these vertices.
 void add_merged_polygons(const FaceMesh& mesh, const std::vector<std::uint32_t>& first,
                          std::vector<Point>& normals) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> last(first.size(), none);  // where the polygon added last begins
+  std::vector<std::size_t> last(first.size(), none);  // first face of the last added polygon
   std::size_t face = 0;
   while (face < mesh.face_count()) {
-    // The faces of a polygon follow each other.
+    // Faces of a polygon follow each other.
     const std::size_t begin = face;
     Point area{};
     for (; face < mesh.face_count() && mesh.polygons[face] == mesh.polygons[begin]; ++face)

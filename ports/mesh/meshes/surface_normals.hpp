@@ -1,4 +1,4 @@
-// Normals of vertices from the faces around them, where there are no samples at hand.
+// Computes vertex normals from faces, without samples.
 #ifndef DISCMC_MESH_MESHES_SURFACE_NORMALS_HPP
 #define DISCMC_MESH_MESHES_SURFACE_NORMALS_HPP
 
@@ -8,16 +8,16 @@
 
 namespace discmc::meshing {
 
-/// Unit normals, one per vertex. Vertices at equal positions are one. Zero where no face is, or
-/// where those that are cancel each other out.
+/// Returns unit normals, one per vertex. Vertices at equal positions share their normal. It is zero
+/// if there are no faces, or if their normals cancel.
 ///
-/// For a merged mesh, which has incidences: the mean of the polygons that meet there, each by the
-/// root of its area. So large walls stay plain and the narrow facets between them are rounded, and
-/// no large polygon of a curved surface outweighs all around it. On a ball of radius 40 the mean
-/// error is 7.7 degrees; by the area itself it would be 13.6.
+/// A merged mesh has incidences. Its normals average the polygons at a vertex, each weighted by the
+/// root of its area. Large walls therefore stay plain, narrow facets between them are rounded, and
+/// no large polygon dominates a curved surface. On a ball of radius 40 the mean error is 7.7
+/// degrees; weights by area would give 13.6.
 ///
-/// For any other mesh it is the mean of the triangles that meet there, each by its angle. So it
-/// makes no difference how a flat part is cut into triangles. Limit: triangles.
+/// Other normals average the triangles at a vertex, each weighted by its angle, so the
+/// triangulation of a flat part does not matter. Limit: triangles.
 std::vector<Point> surface_normals(const FaceMesh& mesh);
 
 }  // namespace discmc::meshing

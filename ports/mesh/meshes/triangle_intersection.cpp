@@ -13,8 +13,8 @@ class TriangleNormal {
   explicit TriangleNormal(const Corners& triangle)
       : normal_(doubled_area(triangle)), squared_length_(dot(normal_, normal_)) {}
 
-  // The side of the plane through the origin that a point is on: 1, -1, or 0 for in the plane.
-  // Rounding may leave it unsure.
+  // Returns the side of the plane through `origin` on which a point lies: 1, -1, or 0 for in the
+  // plane or uncertain.
   int side_of(const Point& origin, const Point& point) const {
     const Point away = difference(point, origin);
     const double height = dot(normal_, away);
@@ -28,7 +28,7 @@ class TriangleNormal {
   double squared_length_;
 };
 
-// Whether the line through two points on different sides of a triangle's plane meets the triangle.
+// Whether the line between two points on different sides of a triangle's plane meets the triangle.
 bool meets(const Point& begin, const Point& end, const Corners& triangle) {
   int least = 0, most = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -41,13 +41,13 @@ bool meets(const Point& begin, const Point& end, const Corners& triangle) {
   return true;
 }
 
-// For each of the three vertices of a triangle, whether another triangle has it, too.
+// For each vertex of a triangle, whether the other triangle shares it.
 using Shared = std::array<bool, 3>;
 
-// The side of a plane that each of the three is on.
+// The side of a plane for each of three vertices.
 using Sides = std::array<int, 3>;
 
-// Whether all that are not shared are on one side. As Box::overlaps() without branches.
+// Whether all unshared vertices are on one side. Has no branches, like Box::overlaps().
 bool are_apart(const Sides& sides, const Shared& shared) {
   int not_above = 0, not_below = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,7 +64,7 @@ Sides sides_of(const Corners& corners, const PlacedTriangle& plane) {
           normal.side_of(origin, corners[2])};
 }
 
-// Whether an edge of a that has no vertex of b meets b.
+// Whether an edge of a without a vertex of b meets b.
 bool goes_through(const Corners& a, const Sides& sides, const Shared& shared, const Corners& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;

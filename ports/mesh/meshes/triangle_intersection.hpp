@@ -1,4 +1,4 @@
-// Whether two triangles of a mesh go through each other.
+// Checks whether two triangles of a mesh intersect.
 #ifndef DISCMC_MESH_MESHES_TRIANGLE_INTERSECTION_HPP
 #define DISCMC_MESH_MESHES_TRIANGLE_INTERSECTION_HPP
 
@@ -10,21 +10,21 @@
 
 namespace discmc::meshing {
 
-/// A triangle of a mesh: the numbers of its vertices, and where they are.
+/// A triangle of a mesh: the numbers and positions of its vertices.
 struct PlacedTriangle {
   const std::uint32_t* numbers;
   Corners corners;
 };
 
-/// How many vertices two triangles share.
+/// Returns the number of vertices that two triangles share.
 inline unsigned count_shared(const std::uint32_t* a, const std::uint32_t* b) {
   unsigned count = 0;
   for (std::size_t i = 0; i < 3; ++i) count += a[i] == b[0] || a[i] == b[1] || a[i] == b[2];
   return count;
 }
 
-/// Whether two triangles have more points in common than a vertex that they share. False if they
-/// lie in one plane. Limit: no shared edge.
+/// Whether two triangles meet outside their shared vertex. False if they lie in one plane. Limit:
+/// no shared edge.
 bool intersect(const PlacedTriangle& a, const PlacedTriangle& b);
 
 }  // namespace discmc::meshing

@@ -5,8 +5,8 @@
 namespace discmc::meshing {
 namespace {
 
-// The sweep is slanted against all sides that are usual on a lattice. Along them it would meet many
-// points at once, and make long fans that cost many flips.
+// Compares along a direction that differs from all usual sides on a lattice. Otherwise the sweep
+// would meet many points at once, and make long fans that cost many flips.
 bool is_left_of(const PlanePoint& a, const PlanePoint& b) {
   const std::int64_t distance = 5 * (b.u - a.u) + 2 * (b.v - a.v);
   return distance != 0 ? distance > 0 : a.v < b.v;
@@ -36,7 +36,7 @@ const std::vector<Triangle>& Triangulator::triangulate(
   return triangles_;
 }
 
-// Most polygons of a surface have three corners or four: cut along either diagonal, the one that is
+// Cuts three or four corners, which most polygons of a surface have, along either diagonal:
 // Delaunay's if both are inside.
 bool Triangulator::cut_small(const std::vector<PlanePoint>& points) {
   const auto is_triangle = [&points](std::size_t a, std::size_t b, std::size_t c) {
@@ -90,7 +90,7 @@ void Triangulator::sort_points(const std::vector<PlanePoint>& points) {
 }
 
 bool Triangulator::add_edges(const std::vector<std::uint32_t>& ring_ends) {
-  // The inside is to the left of a ring, so above an edge that goes from left to right.
+  // A ring has its inside on the left, so above an edge that goes from left to right.
   edges_.clear();
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ring_ends) {
@@ -118,10 +118,10 @@ bool Triangulator::pass_all() {
   return !triangles_.empty();
 }
 
-// Floors and ceilings take turns from bottom to top: those at even places are floors. What the
-// point ends is cut off; what continues begins at a chain that has it for its rightmost.
+// Floors and ceilings alternate from bottom to top; floors have even indexes. Edges that end in the
+// point are removed. Continuing edges begin at a chain whose rightmost point this is.
 bool Triangulator::pass(Rank point) {
-  // The edges that end in the point or lead through it.
+  // Finds the edges that end in the point or lead through it.
   const auto side_of = [&](const ActiveEdge& active) {
     return doubled_area(at_[active.edge.left], at_[active.edge.right], at_[point]);
   };
@@ -180,7 +180,7 @@ bool Triangulator::collect_leaving(Rank point, std::size_t begin, std::size_t en
   return true;
 }
 
-// New neighbours must not cross. Checking each new pair finds the leftmost crossing of all.
+// New neighbours must not cross. Checking every new pair finds the leftmost crossing.
 bool Triangulator::are_in_order(std::size_t lower) const {
   if (lower + 1 == active_.size()) return true;
   const Edge &a = active_[lower].edge, &b = active_[lower + 1].edge;
@@ -217,13 +217,13 @@ void Triangulator::add_at_bottom(Chain& chain, Rank point) {
   chain.bottom = chain.rightmost = node;
 }
 
-// If the two edges meet, all points left between them see that point.
+// If the two edges meet, all points left between them see the meeting point.
 void Triangulator::close(Chain chain, Rank point) {
   for (; chain.bottom != chain.top; chain.bottom = nodes_[chain.bottom].above)
     cut(point, nodes_[nodes_[chain.bottom].above].point, nodes_[chain.bottom].point);
 }
 
-// A point inside sees the rightmost one of the chain: both parts keep that.
+// A point inside sees the rightmost point of the chain, so both parts keep that point.
 Triangulator::Chain Triangulator::split_off_upper(Chain& chain) {
   const std::uint32_t node = new_node(nodes_[chain.rightmost].point);
   Chain upper{node, node, node};
@@ -237,7 +237,7 @@ Triangulator::Chain Triangulator::split_off_upper(Chain& chain) {
   return upper;
 }
 
-// Both end in the same point.
+// Both chains end in the same point.
 Triangulator::Chain Triangulator::joined(const Chain& lower, const Chain& upper) {
   const std::uint32_t above = nodes_[upper.bottom].above;
   nodes_[lower.top].above = above;

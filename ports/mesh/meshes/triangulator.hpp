@@ -1,4 +1,4 @@
-// Triangulation of a polygon with holes in its plane, in integers.
+// Triangulates a polygon with holes in its plane, with integers.
 #ifndef DISCMC_MESH_MESHES_TRIANGULATOR_HPP
 #define DISCMC_MESH_MESHES_TRIANGULATOR_HPP
 
@@ -11,49 +11,47 @@
 
 namespace discmc::meshing {
 
-/// Triangulates one polygon after the other, in memory that it keeps.
+/// Triangulates one polygon after another, and reuses its memory.
 ///
-/// Cuts ears off a single ring of few points. All else is triangulated by a sweep over the points,
-/// from left to right, after S. Hertel and K. Mehlhorn, Fast Triangulation of Simple Polygons,
-/// 1983. Then edges are flipped until the triangles are Delaunay's. All decisions but on flips are
-/// exact.
+/// Cuts ears off a single ring of few points. Triangulates all else by a sweep over the points from
+/// left to right (S. Hertel and K. Mehlhorn, Fast Triangulation of Simple Polygons, 1983). Then
+/// flips edges until the triangles are Delaunay's. All decisions except flips are exact.
 class Triangulator {
  public:
-  /// Triangulates the polygon that rings bound. points: ring after ring, the outer ring
-  /// counter-clockwise, the holes clockwise; equal ones are one point. ring_ends: of every ring the
-  /// place behind its last point. Rings may touch in a point, also in the middle of a side, and may
-  /// have collinear points.
+  /// Triangulates the polygon bounded by rings. points: ring after ring, the outer ring
+  /// counter-clockwise, the holes clockwise; equal points are one point. ring_ends: for each ring,
+  /// the index behind its last point. Rings may touch in a point, also within a side, and may have
+  /// collinear points.
   ///
-  /// Returns counter-clockwise triples of places in `points`, valid until the next call; of equal
-  /// points it may be the place of any. Every point is a corner of some triangle. No triangle has
-  /// zero area or a point on one of its sides, and the areas add up to the polygon's exactly.
-  /// Time: n log n for n points, beside the flips, and what moving an array of the edges costs that
-  /// lie side by side.
-  /// Returns none if rings cross or share a stretch, if they do not bound a polygon, or if a point
-  /// is beyond max_plane_coordinate.
+  /// Returns counter-clockwise triples of indexes in `points`, valid until the next call. Any index
+  /// of equal points may be returned. Every point is a corner of some triangle. No triangle has
+  /// zero area or a point on one of its sides, and the areas add up to the polygon's exactly. Time:
+  /// n log n for n points, plus flips, and moves of an array with the edges side by side. Returns
+  /// none if rings cross or share a stretch, do not bound a polygon, or exceed
+  /// max_plane_coordinate.
   const std::vector<Triangle>& triangulate(const std::vector<PlanePoint>& points,
                                            const std::vector<std::uint32_t>& ring_ends);
 
  private:
-  // The rank of a point from left to right; at equal u the lower point is left.
+  // The rank of a point from left to right; the lower of two points at equal u comes first.
   using Rank = std::uint32_t;
   struct Edge {
     Rank left, right;
-    bool is_floor;  // the inside is above it
+    bool is_floor;  // whether the inside is above it
   };
-  // The inside between two edges that lie side by side, to the right of the triangles cut so far.
-  // It begins at a chain of points that leaves no triangle to cut.
+  // The inside between two adjacent edges, to the right of the triangles cut so far. It begins at a
+  // chain of points that leaves no triangle to cut.
   struct Node {
     Rank point;
-    std::uint32_t below, above;  // the next nodes of the chain
+    std::uint32_t below, above;  // neighbours in the chain
   };
   struct Chain {
-    std::uint32_t bottom, top;  // the left ends of the two edges
+    std::uint32_t bottom, top;  // left ends of the two edges
     std::uint32_t rightmost;
   };
   struct ActiveEdge {
     Edge edge;
-    Chain chain;  // of what is above a floor
+    Chain chain;  // of the inside above a floor
   };
 
   bool cut_small(const std::vector<PlanePoint>& points);
@@ -79,17 +77,17 @@ class Triangulator {
     std::uint32_t place;
   };
   std::vector<Located> located_;
-  std::vector<Rank> ranks_;            // of every place
-  std::vector<PlanePoint> at_;         // of every rank
-  std::vector<std::uint32_t> places_;  // of every rank
-  std::vector<Edge> edges_;            // by their left ends
+  std::vector<Rank> ranks_;            // by index
+  std::vector<PlanePoint> at_;         // by rank
+  std::vector<std::uint32_t> places_;  // by rank
+  std::vector<Edge> edges_;            // sorted by left ends
   std::vector<std::uint32_t> edges_begin_;
-  std::vector<ActiveEdge> active_;  // those that the sweep meets, from bottom to top
-  std::vector<Edge> leaving_;       // those that continue from a point, from bottom to top
+  std::vector<ActiveEdge> active_;  // edges that the sweep crosses, from bottom to top
+  std::vector<Edge> leaving_;       // edges that begin at the point, from bottom to top
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
   Ears ears_;
-  std::vector<std::uint32_t> pairs_;  // of sides, as ears have them
+  std::vector<std::uint32_t> pairs_;  // of sides, from the ears
   DelaunayFlips flips_;
 };
 

@@ -15,8 +15,7 @@
 namespace discmc::meshing {
 namespace {
 
-// Only the ratios count, so short and long spacings are scaled to where nanometres are exact enough
-// and fit.
+// Scales the spacing. Only ratios count, so scaled nanometres are exact enough and fit.
 Point scaled(Point spacing_mm) {
   constexpr double min_mm = 0.01, max_mm = 2000, nanometre = 1e-6;
   double shortest = std::fabs(spacing_mm[0]), longest = shortest;
@@ -51,7 +50,7 @@ LongVector whole_area_vector(const Polygon& polygon) {
   return discmc::area_vector(polygon.incidence, doubled);
 }
 
-// The numbers of all vertices, lowest first.
+// Returns the numbers of all vertices, lowest z first.
 std::vector<std::uint32_t> upwards(const std::vector<Vertex>& lattice) {
   std::vector<std::uint32_t> order(lattice.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -98,10 +97,10 @@ void set_from_samples(SliceReader& volume, FaceMesh& mesh,
 void set_polygon_normals(const Surface& surface, FaceMesh& mesh) {
   std::vector<LongVector> sums(mesh.lattice.size(), LongVector{0, 0, 0});
   constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> last(sums.size(), none);  // the first face of the polygon added last
+  std::vector<std::size_t> last(sums.size(), none);  // first face of the last added polygon
   std::size_t face = 0;
   while (face < mesh.face_count()) {
-    // The faces of a polygon follow each other.
+    // Faces of a polygon follow each other.
     const std::size_t begin = face;
     const std::uint32_t polygon = mesh.polygons[begin];
     while (face < mesh.face_count() && mesh.polygons[face] == polygon) ++face;

@@ -1,4 +1,4 @@
-// Normals at the vertices of a merged mesh, in the integers of the library.
+// Computes vertex normals of a merged mesh, with the library's integers.
 #ifndef DISCMC_MESH_MESHES_VERTEX_NORMALS_HPP
 #define DISCMC_MESH_MESHES_VERTEX_NORMALS_HPP
 
@@ -11,22 +11,20 @@
 
 namespace discmc::meshing {
 
-/// Gives every vertex the mean of the polygons that have it for a corner or a junction, each by its
-/// area. Zero if they cancel each other out. mesh: build_mesh() of the surface. Throws
-/// std::invalid_argument when the spacing is beyond what a stream can hold.
+/// Sets each normal to the mean over the polygons with the vertex as a corner or junction, weighted
+/// by area. It is zero if they cancel. mesh: build_mesh() of the surface. Throws
+/// std::invalid_argument if the spacing exceeds the range of a stream.
 void set_polygon_normals(const Surface& surface, FaceMesh& mesh);
 
-/// Gives every vertex its normal in the scan or the stream. A vertex without one keeps the normal
-/// that it has.
+/// Sets each normal from the scan or the stream. A vertex without a normal there keeps its own.
 void set_stream_normals(const Surface& surface, FaceMesh& mesh);
 
-/// Gives every vertex the direction in which the samples fall there. If they are level, and on
-/// the walls around the volume, the vertex keeps its normal. Reads the volume to its end, and
-/// holds four slices of it.
-/// mesh: from a volume of these extents; its spacing counts, not that of the volume.
-/// Limit: is_scanner_type() samples; extraction/narrowed_volume.hpp makes them of others.
-/// progress: called after every slice with how many are done.
-/// Throws as set_polygon_normals() does, and VolumeError as the reader does.
+/// Sets each normal to the direction in which the samples fall. A vertex keeps its normal if the
+/// samples are level, and on the walls around the volume. Reads the volume to its end. Memory: four
+/// slices. mesh: from a volume of these extents; its spacing counts, not the volume's. Limit:
+/// is_scanner_type() samples; extraction/narrowed_volume.hpp converts others. progress: called
+/// after every slice with the number done. Throws like set_polygon_normals(), and VolumeError from
+/// the reader.
 void set_gradient_normals(SliceReader& volume, FaceMesh& mesh,
                           const std::function<void(std::uint32_t)>& progress = {});
 

@@ -1,4 +1,4 @@
-// Lattice positions, numbered.
+// Numbers positions of the lattice.
 #ifndef DISCMC_MESH_MESHES_VERTEX_NUMBERS_HPP
 #define DISCMC_MESH_MESHES_VERTEX_NUMBERS_HPP
 
@@ -14,22 +14,23 @@
 
 namespace discmc::meshing {
 
-/// Gives vertices numbers from zero on. The lattice is divided into blocks of 8 x 8 x 8 points, and
-/// a block has a bit for each vertex in it. The number of a vertex is the number of the block's
-/// first vertex plus the count of bits before its own. Blocks without a vertex take no memory.
-/// Limit: vertices of the lattice, which have an odd coordinate sum.
+/// Numbers vertices from zero on. The lattice is divided into blocks of 8 x 8 x 8 points; each
+/// block has a bit per vertex. A vertex's number is the block's first number plus the count of bits
+/// before its own. Blocks without a vertex use no memory. Limit: vertices of the lattice, which
+/// have an odd coordinate sum.
 class VertexNumbers {
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   VertexNumbers() = default;
-  /// Numbers all corners of polygons: block by block, in the order in which polygons come to them.
+  /// Numbers all corners of polygons, block by block, in the order in which polygons reach the
+  /// blocks.
   explicit VertexNumbers(const Polygons& polygons);
 
-  /// The number of a vertex, the next one if it has none.
+  /// Returns the number of a vertex. A new vertex gets the next number.
   std::uint32_t add(const Vertex& vertex);
 
-  /// The number of a vertex, or none.
+  /// Returns the number of a vertex, or none.
   std::uint32_t find(const Vertex& vertex) const {
     const std::uint32_t place = find_block(origin_of(vertex));
     return place != none && blocks_[place].has(vertex) ? number(blocks_[place], vertex) : none;
@@ -40,7 +41,7 @@ class VertexNumbers {
     return place != none && blocks_[place].has(vertex);
   }
 
-  /// By their numbers.
+  /// The positions by number.
   const std::vector<Vertex>& positions() const& { return positions_; }
   std::vector<Vertex> positions() && { return std::move(positions_); }
 
@@ -54,16 +55,16 @@ class VertexNumbers {
     }
 
     bool has(const Vertex& vertex) const { return (bits[row(vertex)] & bit(vertex)) != 0; }
-    /// How many vertices of the block come before this one.
+    /// Returns the number of vertices of the block before this one.
     std::uint32_t rank(const Vertex& vertex) const {
       return before[row(vertex)] + count_of(bits[row(vertex)] & (bit(vertex) - 1));
     }
     void count_rows();
 
     Vertex origin;
-    std::uint32_t first = 0;      ///< the number of its first vertex
-    std::uint32_t list = none;    ///< if vertices were added later: numbers_[list] has the numbers
-    std::uint8_t before[8] = {};  ///< vertices in the rows before
+    std::uint32_t first = 0;      ///< number of the block's first vertex
+    std::uint32_t list = none;    ///< index in numbers_, if vertices were added later
+    std::uint8_t before[8] = {};  ///< number of vertices in earlier rows
     std::uint32_t bits[8] = {};   ///< by z, then y, then x
   };
 

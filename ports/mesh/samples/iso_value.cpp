@@ -19,7 +19,7 @@ std::int32_t stored_threshold(const SampleGrid& info, double iso) {
   if (!std::isfinite(iso)) return static_cast<std::int32_t>(iso < 0 ? min_iso : max_iso);
 
   const double reached = lowered_by_rounding(info, iso);
-  // Bisection, since it is exact where a quotient would be rounded, and saturates by itself.
+  // Uses bisection, which is exact although a quotient is rounded, and saturates by itself.
   std::int64_t low = min_iso;
   std::int64_t high = max_iso;
   while (low < high) {

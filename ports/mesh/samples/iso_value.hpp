@@ -1,4 +1,4 @@
-// The value of a threshold among stored samples.
+// Converts thresholds to stored samples.
 #ifndef DISCMC_MESH_SAMPLES_ISO_VALUE_HPP
 #define DISCMC_MESH_SAMPLES_ISO_VALUE_HPP
 
@@ -8,15 +8,15 @@
 
 namespace discmc::meshing {
 
-/// The iso value, less what decimal numbers may have lost when they were rounded on their way here:
-/// what is not below this reaches iso.
+/// Returns the iso value, less the possible rounding of its decimal number. Values that are not
+/// below this reach iso.
 double lowered_by_rounding(const SampleGrid& info, double iso);
 
-/// The threshold on stored samples for an iso value in the file's declared units: stored >=
-/// threshold exactly where value >= iso. Values equal iso if they differ by no more than the
-/// rounding of the decimal numbers. So iso 0.9 at slope 0.3 is 3, not 4. Saturates: INT32_MIN
-/// when every value reaches iso, INT32_MAX when none does (or iso is NaN). For samples that are not
-/// whole numbers it is the first whole one.
+/// Returns the threshold on stored samples for an iso value in the file's units: stored >=
+/// threshold exactly if value >= iso. Values that differ from iso by the rounding of decimal
+/// numbers count as equal, so iso 0.9 at slope 0.3 is 3, not 4. Saturates: INT32_MIN if every value
+/// reaches iso, INT32_MAX if none does (or iso is NaN). For fractional samples it is the first
+/// whole number.
 std::int32_t stored_threshold(const SampleGrid& info, double iso);
 
 }  // namespace discmc::meshing

@@ -8,8 +8,8 @@
 
 namespace discmc::meshing {
 
-/// What a sample of any type of whole numbers is, exactly: double rounds those above 2^53, as most
-/// ids of connectomics are.
+/// The exact value of a sample of any whole-number type. double would round values above 2^53, such
+/// as ids in connectomics.
 class LabelValue {
  public:
   constexpr LabelValue() = default;
@@ -30,7 +30,7 @@ class LabelValue {
   std::string text() const {
     return is_negative_ ? std::to_string(static_cast<std::int64_t>(bits_)) : std::to_string(bits_);
   }
-  /// Rounded where it has more than 53 digits of bits.
+  /// Returns the value, rounded if it needs more than 53 bits.
   constexpr double rounded() const {
     return is_negative_ ? static_cast<double>(static_cast<std::int64_t>(bits_))
                         : static_cast<double>(bits_);

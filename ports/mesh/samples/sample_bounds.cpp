@@ -23,7 +23,7 @@ struct Bounds {
   Sample greatest = std::numeric_limits<Sample>::lowest();
 };
 
-// Without a branch, so that compilers take several at once.
+// Has no branch, so that compilers vectorise it.
 template <class Sample, class Condition>
 Bounds<Sample> bounds_of(const Sample* samples, std::size_t count, Condition is_taken) {
   Bounds<Sample> bounds;
@@ -37,7 +37,8 @@ Bounds<Sample> bounds_of(const Sample* samples, std::size_t count, Condition is_
 
 }  // namespace
 
-// Infinite samples are rare: they are searched only if there are any. No comparison holds for NaN.
+// Infinite samples are rare, so a second search runs only if there are any. No comparison holds for
+// NaN.
 void SampleBounds::include(SampleType type, const void* samples, std::size_t count) {
   with_sample_type(type, [&](auto type_of) {
     using Sample = decltype(type_of);

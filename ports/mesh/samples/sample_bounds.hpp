@@ -9,7 +9,8 @@
 
 namespace discmc::meshing {
 
-/// The bounds of the finite samples so far, and whether there were infinite ones. Units: as stored.
+/// The bounds of the finite samples so far, and whether there were infinite samples. Units: as
+/// stored.
 struct SampleBounds {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -17,12 +18,12 @@ struct SampleBounds {
   double greatest = -infinity;
   bool has_infinity = false;
   bool has_minus_infinity = false;
-  bool has_between = false;  ///< finite samples other than the least and the greatest
+  bool has_between = false;  ///< whether finite samples lie between the bounds
 
-  /// Whether no finite sample has come.
+  /// Whether there was no finite sample.
   bool is_empty() const { return least > greatest; }
 
-  /// samples: of the type, aligned.
+  /// samples: of this type, aligned.
   void include(SampleType type, const void* samples, std::size_t count);
 };
 

@@ -1,4 +1,4 @@
-// How samples are stored, and code for each of the ways.
+// The types of samples, and dispatch by type.
 #ifndef DISCMC_MESH_SAMPLES_SAMPLE_TYPE_HPP
 #define DISCMC_MESH_SAMPLES_SAMPLE_TYPE_HPP
 
@@ -11,10 +11,10 @@
 
 namespace discmc::meshing {
 
-/// Whole numbers without and with sign, and IEEE 754 floating point, by their bits.
+/// Unsigned and signed whole numbers, and IEEE 754 floating point, with their bits.
 enum class SampleType : std::uint8_t { u8, i8, u16, i16, u32, i32, u64, i64, f32, f64 };
 
-/// All of them, by the names that the command line has for them.
+/// All types with their names on the command line.
 constexpr std::pair<std::string_view, SampleType> sample_types[] = {
     {"u8", SampleType::u8},   {"i8", SampleType::i8},   {"u16", SampleType::u16},
     {"i16", SampleType::i16}, {"u32", SampleType::u32}, {"i32", SampleType::i32},
@@ -63,7 +63,7 @@ constexpr bool is_floating(SampleType type) {
   return type == SampleType::f32 || type == SampleType::f64;
 }
 
-/// As with_sample_type(), of whole numbers alone. Limit: not is_floating(type).
+/// Likewise dispatches only whole-number types. Limit: not is_floating(type).
 template <class Call>
 void with_whole_type(SampleType type, Call&& call) {
   with_sample_type(type, [&](auto typed) {
@@ -71,12 +71,12 @@ void with_whole_type(SampleType type, Call&& call) {
   });
 }
 
-/// Whether the library takes such samples themselves: the extractor, and what makes gradients.
+/// Whether the library accepts such samples directly: the extractor, and gradients.
 constexpr bool is_scanner_type(SampleType type) {
   return type == SampleType::u8 || type == SampleType::u16 || type == SampleType::i16;
 }
 
-/// As with_sample_type(). Limit: is_scanner_type(type).
+/// Likewise dispatches only these types. Limit: is_scanner_type(type).
 template <class Call>
 decltype(auto) with_scanner_type(SampleType type, Call&& call) {
   if (type == SampleType::u8) return call(std::uint8_t{});
@@ -84,7 +84,7 @@ decltype(auto) with_scanner_type(SampleType type, Call&& call) {
   return call(std::int16_t{});
 }
 
-/// Units: bytes.
+/// Returns the size of a sample. Units: bytes.
 constexpr std::size_t sample_bytes(SampleType type) {
   switch (type) {
     case SampleType::u8:

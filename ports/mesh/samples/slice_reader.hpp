@@ -1,4 +1,4 @@
-// A volume that is read slice by slice, wherever its slices come from.
+// The interface of volumes that are read slice by slice.
 #ifndef DISCMC_MESH_SAMPLES_SLICE_READER_HPP
 #define DISCMC_MESH_SAMPLES_SLICE_READER_HPP
 
@@ -19,18 +19,18 @@ struct SampleGrid {
   /// in z.
   std::array<std::uint32_t, 3> dims{};
   SampleType type = SampleType::u8;
-  /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
-  /// Units: millimetres. Limit: min_spacing_mm to max_spacing_mm either way.
+  /// Distance between neighbouring voxels along x, y and z, negative along a reversed axis. Units:
+  /// millimetres. Limit: magnitude from min_spacing_mm to max_spacing_mm.
   std::array<double, 3> spacing_mm{1, 1, 1};
   /// value = slope * stored + intercept. Limit: slope > 0.
   double slope = 1;
   double intercept = 0;
 
-  /// Units: millimetres, without signs.
+  /// Returns the spacing without signs. Units: millimetres.
   std::array<double, 3> distances_mm() const {
     return {std::abs(spacing_mm[0]), std::abs(spacing_mm[1]), std::abs(spacing_mm[2])};
   }
-  /// Units: bytes of one slice.
+  /// Returns the size of a slice. Units: bytes.
   std::uint64_t slice_bytes() const {
     return std::uint64_t{dims[0]} * dims[1] * sample_bytes(type);
   }
@@ -47,14 +47,14 @@ class SliceReader {
   SliceReader& operator=(const SliceReader&) = delete;
   virtual ~SliceReader() = default;
 
-  /// Valid as long as the reader.
+  /// Valid during the life of the reader.
   virtual const SampleGrid& info() const = 0;
 
   /// Writes the next slice, rows of x from y = 0, samples in native byte order.
   /// Size: info().slice_bytes(), owned by the caller. An exception leaves the slice undefined.
   virtual void read_slice(void* samples) = 0;
 
-  /// Goes past the next slice, without reading it if the source allows.
+  /// Skips the next slice, without reading it if the source allows this.
   virtual void skip_slice() {
     std::vector<std::uint8_t> dropped(info().slice_bytes());
     read_slice(dropped.data());

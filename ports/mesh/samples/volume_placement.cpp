@@ -15,7 +15,7 @@ double determinant(const Axes& a) {
 }
 
 bool is_usable(const Axes& axes_mm) {
-  constexpr double flattest = 1e-6;  // of a parallelepiped with edges of 1
+  constexpr double flattest = 1e-6;  // volume of a parallelepiped with edges of length 1
   double edges = 1;
   for (const auto& axis : axes_mm) {
     const double length = std::hypot(axis[0], axis[1], axis[2]);
@@ -33,7 +33,7 @@ bool is_usable(const VolumePlacement& placement) {
 
 VolumePlacement in_space(VolumePlacement placement, Space space) {
   if (placement.space == space) return placement;
-  // Between LPS and RAS: sums with zero have no negative zeros.
+  // Converts between LPS and RAS. Adding zero turns -0 into 0.
   const auto turn = [](std::array<double, 3>& vector) {
     vector = {0.0 - vector[0], 0.0 - vector[1], vector[2]};
   };

@@ -1,4 +1,4 @@
-// Where a volume lies in space: from voxels to millimetres.
+// The place of a volume in space, which maps voxels to millimetres.
 #ifndef DISCMC_MESH_SAMPLES_VOLUME_PLACEMENT_HPP
 #define DISCMC_MESH_SAMPLES_VOLUME_PLACEMENT_HPP
 
@@ -14,12 +14,12 @@ constexpr double max_spacing_mm = 1e6;
 /// The limit of the coordinates of an origin.
 constexpr double max_origin_mm = 1e9;
 
-/// One vector an axis of the volume: the way to the next voxel along x, y and z.
+/// One vector per axis of the volume: the step to the next voxel along x, y and z.
 using Axes = std::array<std::array<double, 3>, 3>;
 
 constexpr Axes coordinates = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// An affine map: voxel (i, j, k) has its centre at origin + i axes[0] + j axes[1] + k axes[2].
+/// An affine map: the centre of voxel (i, j, k) is origin + i axes[0] + j axes[1] + k axes[2].
 /// Units: millimetres.
 struct VolumePlacement {
   Space space = Space::scanner;
@@ -31,25 +31,24 @@ struct VolumePlacement {
   }
 };
 
-/// Volumes along the coordinates, with voxel (0, 0, 0) at their origin.
+/// Returns the placement along the coordinates, with voxel (0, 0, 0) at the origin.
 constexpr VolumePlacement along_coordinates(const std::array<double, 3>& spacing_mm) {
   return {
       Space::scanner, {}, {{{spacing_mm[0], 0, 0}, {0, spacing_mm[1], 0}, {0, 0, spacing_mm[2]}}}};
 }
 
-/// The volume of the parallelepiped that the axes span: negative where they are left-handed.
+/// Returns the volume of the parallelepiped of the axes, negative if they are left-handed.
 double determinant(const Axes& axes);
 
-/// Whether the axes are as long as spacings can be and span a space, and the origin is no farther
-/// than 1e9 mm away.
+/// Whether the axes have valid lengths and span a space, and the origin is within 1e9 mm.
 bool is_usable(const Axes& axes_mm);
 bool is_usable(const VolumePlacement& placement);
 
-/// The same place in another space. Limit: neither is Space::scanner.
+/// Returns the same place in another space. Limit: neither is Space::scanner.
 VolumePlacement in_space(VolumePlacement placement, Space space);
 
-/// As the record of a stream holds it, rounded to nanometres. Limit: is_usable(). Throws
-/// std::invalid_argument where an axis is longer than it holds.
+/// Returns the placement of a stream's record, rounded to nanometres. Limit: is_usable(). Throws
+/// std::invalid_argument if an axis is too long for a record.
 Placement in_nanometres(const VolumePlacement& placement);
 VolumePlacement in_millimetres(const Placement& placement);
 

@@ -16,7 +16,7 @@ void spread_row(const std::uint64_t* from, std::uint64_t* to, std::size_t words)
   }
 }
 
-// Voxels exactly at the radius count, however their distance is rounded.
+// Includes voxels exactly at the radius, despite rounding.
 constexpr double rounding_slack = 1e-9;
 
 std::uint32_t voxels_in(double length_mm, double spacing_mm) {

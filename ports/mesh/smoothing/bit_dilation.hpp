@@ -1,4 +1,4 @@
-// Voxels that are on, spread by a ball.
+// Dilates the voxels that are on by a ball.
 #ifndef DISCMC_MESH_SMOOTHING_BIT_DILATION_HPP
 #define DISCMC_MESH_SMOOTHING_BIT_DILATION_HPP
 
@@ -11,7 +11,7 @@
 
 namespace discmc::meshing {
 
-/// Slices of bits, rows in words of 64, the first voxel in the lowest bit.
+/// Slices of bits, with rows in words of 64, the first voxel in the lowest bit.
 struct BitGrid {
   std::array<std::uint32_t, 3> dims;
 
@@ -19,21 +19,21 @@ struct BitGrid {
   std::size_t slice_words() const { return row_words() * dims[1]; }
 };
 
-/// The voxels around one that are within a radius of it.
+/// The voxels within a radius of the centre voxel.
 struct VoxelBall {
-  /// The greatest radius: beyond it memory and time are out of proportion.
+  /// The largest radius; larger ones need excessive memory and time.
   static constexpr double max_reach = 64;
 
-  /// How far it reaches along each axis. Units: voxels
+  /// The radius along each axis. Units: voxels
   std::array<std::uint32_t, 3> reach;
-  /// How far along x, by distance along y and z: width[z][y]; negative where it does not reach.
+  /// The radius along x, by distance along y and z: width[z][y]; negative if none.
   std::vector<std::vector<std::int32_t>> width;
 
   VoxelBall(double radius_mm, const std::array<double, 3>& spacing_mm);
 };
 
-/// Dilates: a voxel is on where one within the ball is. Beyond the ends of the volume all are off.
-/// Memory: the bits of the slices within the radius, once for each voxel of the radius along x.
+/// Dilates: a voxel is on if any voxel within the ball is on. Voxels outside the volume are off.
+/// Memory: the bits of the slices within the radius, once per voxel of the radius along x.
 class BitDilation {
  public:
   /// Writes the next slice.
@@ -46,7 +46,7 @@ class BitDilation {
 
  private:
   void add_slice();
-  // Rows of a slice that was added, spread along x.
+  // Returns a row of an added slice, spread along x.
   const std::uint64_t* spread(std::uint32_t z, std::int32_t width, std::uint32_t y) const;
 
   BitGrid grid_;

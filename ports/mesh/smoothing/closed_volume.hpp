@@ -1,4 +1,4 @@
-// A mask whose narrow gaps are closed.
+// Closes narrow gaps of a mask.
 #ifndef DISCMC_MESH_SMOOTHING_CLOSED_VOLUME_HPP
 #define DISCMC_MESH_SMOOTHING_CLOSED_VOLUME_HPP
 
@@ -13,12 +13,12 @@
 
 namespace discmc::meshing {
 
-/// The voxels that are selected, dilated by a ball and then eroded by it: 1, all others 0. Gaps
-/// without room for the ball are closed. Nothing else changes, also at the ends of the volume, as
-/// all beyond counts as off. Memory: as two of BitDilation.
+/// Returns 1 for the selected voxels, dilated by a ball and then eroded by it, otherwise 0. This
+/// closes gaps without room for the ball, and changes nothing else. At the ends of the volume, all
+/// outside counts as off. Memory: as two BitDilation objects.
 class ClosedVolume final : public SliceReader {
  public:
-  /// volume: not yet read; mask: or none; both have to live as long as this.
+  /// volume: not yet read. mask: may be null. Both must outlive this.
   ClosedVolume(SliceReader& volume, const Selection& selection, SliceReader* mask,
                double radius_mm);
 
@@ -34,10 +34,10 @@ class ClosedVolume final : public SliceReader {
   SelectedBits selected_;
   SampleGrid info_;
   VoxelBall ball_;
-  BitGrid padded_;  // so that no ball around a voxel of the volume reaches beyond its ends
-  std::uint32_t padded_slices_ = 0;  // read
-  std::uint32_t slices_ = 0;         // written
-  BitDilation dilation_, erosion_;   // erosion: dilates what is off
+  BitGrid padded_;                   // no ball around a voxel of the volume reaches beyond it
+  std::uint32_t padded_slices_ = 0;  // number read
+  std::uint32_t slices_ = 0;         // number written
+  BitDilation dilation_, erosion_;   // erosion_ dilates the voxels that are off
   std::vector<std::uint64_t> eroded_;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double deviations = 3;
 
-// The weights, whose sum is 1. radius: steps to the last weight.
+// Returns weights with the sum 1. radius: number of steps to the last weight.
 std::vector<float> gaussian(double deviation, std::uint32_t radius) {
   std::vector<double> weights;
   double sum = 0;

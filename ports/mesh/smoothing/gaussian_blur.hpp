@@ -10,22 +10,22 @@
 
 namespace discmc::meshing {
 
-/// Blurs by a Gaussian that ends at three deviations, along each axis. Beyond the ends of the
-/// volume its last voxels are repeated. Memory: the slices within three deviations.
+/// Blurs along each axis by a Gaussian that is cut off at three deviations. Repeats the last voxels
+/// beyond the ends of the volume. Memory: the slices within three deviations.
 class GaussianBlur {
  public:
   /// deviation_mm: of the Gaussian; Limit: positive
   GaussianBlur(const Grid& grid, double deviation_mm, SliceSource source);
 
-  /// Writes the next slice, blurred.
+  /// Writes the next blurred slice.
   void next(float* blurred);
-  /// The slice that next() has blurred, as it was.
+  /// Returns the last blurred slice before the blur.
   const float* sharp() const { return sharp(next_ - 1); }
-  /// An earlier slice, as it was. Limit: at most three deviations before the last that was blurred.
+  /// Returns an earlier slice before the blur. Limit: at most three deviations before the last one.
   const float* sharp(std::uint32_t z) const { return window_.at(z); }
 
  private:
-  // Weights of the voxel itself, and of those at each distance in steps.
+  // Weights of the voxel itself, and of voxels at each distance in steps.
   using Kernel = std::vector<float>;
 
   void blur_rows(float* slice);

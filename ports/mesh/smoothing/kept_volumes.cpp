@@ -21,42 +21,42 @@ using Place = Crossings::Place;
 using Ends = Crossings::Ends;
 
 constexpr std::uint32_t no_piece = ~0U, no_edge = ~0U;
-constexpr double accuracy = 5e-4;  // of a volume
+constexpr double accuracy = 5e-4;  // share of the volume
 constexpr unsigned max_rounds = 25;
 
-// A body or a cavity: a component of a surface.
+// A body or a cavity: one component of a surface.
 struct Piece {
   struct Edge {
     Place place;
-    float sign;           // 1 if it begins on, -1 if it ends on
-    std::uint32_t rival;  // the piece on its other side, or no_piece
+    float sign;           // 1 if its edge begins on, -1 if it ends on
+    std::uint32_t rival;  // the piece on the other side of the edge, or no_piece
     Ends ends;
   };
-  // A vertex of the mesh of the surface.
+  // A vertex of the surface's mesh.
   struct Corner {
     Vertex lattice;
-    bool is_crossing;  // that moves
-    Edge edge;         // of the crossing; a copy, as memory is read in its order
+    bool is_crossing;  // whether it can move
+    Edge edge;         // of the crossing; a copy for sequential access
   };
 
   std::size_t surface;
-  double volume_mm3;    // of its voxels; negative of a cavity
-  double wanted_mm3;    // to be enclosed: its share of the volume that can be
+  double volume_mm3;    // of its voxels; negative for a cavity
+  double wanted_mm3;    // the volume to enclose
   double shift_mm = 0;  // outwards
   std::vector<Edge> edges{};
-  std::vector<Edge> around{};  // centroids among the corners
+  std::vector<Edge> around{};  // crossings around its centroids
   std::vector<Corner> corners{};
   std::vector<Triangle> faces{};
 };
 
-// The wall between a piece and a rival, through which volume can move. rival: no_piece if there is
-// none.
+// The wall between a piece and a rival, through which they exchange volume. rival: no_piece if
+// there is none.
 struct Wall {
   std::uint32_t rival;
-  double area_mm2;  // by which their volumes change with the difference of their shifts
+  double area_mm2;  // change of volume per difference of shifts
 };
 
-// The voxel of an edge that is off. middle: of the edge.
+// Returns the voxel of an edge that is off. middle: of the edge.
 Vertex off_voxel(const Vertex& middle, Place place, bool falls) {
   std::array<std::int32_t, 3> at = {middle.x, middle.y, middle.z};
   at[place.axis] += falls ? 1 : -1;
@@ -72,7 +72,7 @@ class VolumeKeeper {
     for (const Piece& piece : pieces_) move_crossings(piece);
   }
 
-  // A mesh that leaves out crossings leaves out others when they have moved.
+  // A mesh that leaves out crossings leaves out others after they have moved.
   void keep() {
     constexpr unsigned max_meshes = 3;
     for (unsigned meshes = 0; meshes < max_meshes; ++meshes) {
@@ -84,10 +84,10 @@ class VolumeKeeper {
   }
 
  private:
-  // The volumes that the bodies of a surface enclose.
+  // The volumes enclosed by the bodies of a surface.
   struct Parts {
-    std::vector<std::uint32_t> of_polygon;                  // pieces
-    std::array<std::vector<std::uint32_t>, 3> of_crossing;  // pieces, by axis
+    std::vector<std::uint32_t> of_polygon;                  // piece of each polygon
+    std::array<std::vector<std::uint32_t>, 3> of_crossing;  // piece of each crossing, by axis
   };
 
   template <class Call>
@@ -157,12 +157,12 @@ class VolumeKeeper {
     for (const Piece::Edge& edge : piece.edges) crossings.move(edge.place, at(piece, edge));
   }
 
-  // The crossing of an edge, as Crossings::at(), with the current shifts.
+  // Returns a crossing, like Crossings::at(), with the current shifts.
   float at(const Piece& piece, const Piece::Edge& edge) const {
     const auto least = static_cast<float>(keeping_.min_distance_mm);
     const double rival = edge.rival == no_piece ? 0 : pieces_[edge.rival].shift_mm;
     const auto shift = static_cast<float>(piece.shift_mm - rival);
-    // Without branches: which way an edge falls is hard to foretell.
+    // Avoids branches on the direction of an edge, which are mispredicted.
     return Crossings::zero_between({std::max(edge.sign * (edge.ends.begin + shift), least),
                                     std::min(edge.sign * (edge.ends.end + shift), -least)});
   }
@@ -194,14 +194,14 @@ class VolumeKeeper {
       }
       piece.faces.push_back(triangle);
     }
-    std::array<std::vector<std::uint32_t>, 3> edges;  // of crossings, by axis
+    std::array<std::vector<std::uint32_t>, 3> edges;  // index in piece.edges, by crossing
     for (std::size_t axis = 0; axis < 3; ++axis)
       edges[axis].resize(surfaces_[number].crossings->count(axis), no_edge);
     for (Piece& piece : pieces_)
       if (piece.surface == number) find_edges_of_corners(piece, edges);
   }
 
-  // edges: scratch space, without an edge before and after.
+  // edges: scratch space without edges, before and after the call.
   void find_edges_of_corners(Piece& piece, std::array<std::vector<std::uint32_t>, 3>& edges) const {
     const auto edge_at = [&](Place place) -> auto& {
       return edges[place.axis][place.number];
@@ -221,7 +221,7 @@ class VolumeKeeper {
     for (const Piece::Edge& edge : piece.edges) edge_at(edge.place) = no_edge;
   }
 
-  // The volume that the piece encloses at its current shift.
+  // Returns the volume of the piece at its current shift.
   double enclosed_mm3(const Piece& piece) {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
@@ -232,7 +232,7 @@ class VolumeKeeper {
           in_mm(is_crossing ? Crossings::interpolated(lattice, edge.place.axis, at(piece, edge))
                             : crossings.interpolated(lattice),
                 spacing));
-    const Point apex = from_apex_[0];  // near, so that little is rounded
+    const Point apex = from_apex_[0];  // near, to keep rounding small
     for (Point& corner : from_apex_) corner = difference(corner, apex);
     double six = 0;
     for (const auto& [a, b, c] : piece.faces)
@@ -240,7 +240,7 @@ class VolumeKeeper {
     return six / 6;
   }
 
-  // Whether all volumes were kept before.
+  // Returns whether all volumes were already kept.
   bool balance() {
     const std::vector<double> before = shifts();
     if (surfaces_.size() == 1)
@@ -259,7 +259,7 @@ class VolumeKeeper {
     for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_[i].shift_mm = shifts[i];
   }
 
-  // How much more each piece encloses than is wanted.
+  // Returns the excess of each piece over its target.
   std::vector<double> excess_mm3() {
     if (keeping_.check) keeping_.check();
     std::vector<double> excess;
@@ -268,8 +268,8 @@ class VolumeKeeper {
     return excess;
   }
 
-  // Moves all pieces at once, by Newton's method, as long as it leads nearer. Returns whether all
-  // enclose what is wanted.
+  // Moves all pieces at once by Newton's method, while this brings them nearer. Returns whether all
+  // pieces reach their targets.
   bool approach() {
     constexpr unsigned max_steps = 12;
     double before = std::numeric_limits<double>::infinity();
@@ -277,7 +277,7 @@ class VolumeKeeper {
     for (unsigned step = 0; step < max_steps; ++step) {
       const std::vector<double> excess = excess_mm3();
       bool is_kept = true;
-      double sum = 0;  // of squares of what is relative to the volume
+      double sum = 0;  // of squares relative to the volume
       for (std::size_t i = 0; i < pieces_.size(); ++i) {
         is_kept &= is_near(pieces_[i], excess[i]);
         sum += excess[i] * excess[i] / (pieces_[i].volume_mm3 * pieces_[i].volume_mm3);
@@ -301,9 +301,9 @@ class VolumeKeeper {
     return std::fabs(excess_mm3) <= accuracy * std::fabs(piece.volume_mm3);
   }
 
-  // Touching pieces cannot all grow: what one gains another loses. If their volumes do not fit, as
-  // where labels fill the volume to its corners, each gets the same share of its own. Returns
-  // whether any was reduced.
+  // Touching pieces cannot all grow, because one gains what another loses. If their volumes do not
+  // fit, for example because labels fill the volume to its corners, each gets an equal share of its
+  // own. Returns whether any target was reduced.
   bool share_shortage() {
     Sets touching(pieces_.size());
     for (std::uint32_t i = 0; i < pieces_.size(); ++i)
@@ -314,7 +314,7 @@ class VolumeKeeper {
     const std::vector<double> excess = excess_mm3();
     struct Group {
       double wanted_mm3 = 0, most_mm3 = 0, bodies_mm3 = 0;
-      // A cavity and what fills it want nothing together.
+      // A cavity and the piece that fills it need nothing together.
       bool is_short() const {
         return wanted_mm3 > accuracy * bodies_mm3 && most_mm3 < (1 - accuracy) * wanted_mm3;
       }
@@ -344,7 +344,7 @@ class VolumeKeeper {
     return wanted;
   }
 
-  // What one piece gains its rival loses, so each goes half of its way at a time.
+  // One piece gains what its rival loses, so each moves half of the way at a time.
   void alternate() {
     for (unsigned round = 0; round < max_rounds; ++round) {
       const std::vector<double> before = shifts(), wanted = wanted_shifts();
@@ -354,8 +354,8 @@ class VolumeKeeper {
     }
   }
 
-  // What one piece gains its rivals lose: linear equations, solved by the method of Gauss and
-  // Seidel. It ends also where not all can be met.
+  // One piece gains what its rivals lose. These are linear equations, solved by the Gauss-Seidel
+  // method, which also ends if they have no solution.
   std::vector<double> moves_against(const std::vector<double>& excess) const {
     constexpr unsigned sweeps = 200;
     std::vector<std::vector<Wall>> walls;
@@ -374,7 +374,7 @@ class VolumeKeeper {
     return moves;
   }
 
-  // places: scratch space for each piece, no_piece before and after.
+  // places: scratch space per piece; no_piece before and after the call.
   std::vector<Wall> walls_of(const Piece& piece, std::vector<std::uint32_t>& places) const {
     std::vector<Wall> walls = {{no_piece, 0}};
     for (const Piece::Edge& edge : piece.edges) {
@@ -393,9 +393,9 @@ class VolumeKeeper {
     return walls;
   }
 
-  // The area of wall that an edge represents: a face of a voxel, times the cosine between the edge
-  // and the normal. The slope of the distance is that cosine. Between rivals it is twice as steep,
-  // and moves half as far.
+  // Returns the wall's area that an edge represents: a voxel's face times the cosine between the
+  // edge and the normal. The slope of the distance is that cosine. Between rivals it is twice as
+  // steep, and moves half as far.
   double area_mm2(const Piece& piece, const Piece::Edge& edge) const {
     const bool has_rival = edge.rival != no_piece;
     const auto shift =
@@ -411,7 +411,7 @@ class VolumeKeeper {
            std::fabs(static_cast<double>(ends.begin - ends.end)) / (has_rival ? 4 : 1);
   }
 
-  // By secants, halving where they lead too far. Returns the current shift if it is good enough.
+  // Uses secants, halved if they lead too far. Returns the current shift if it is good enough.
   double shift_to_keep(Piece& piece) {
     if (keeping_.check) keeping_.check();
     const double start = piece.shift_mm;
@@ -435,7 +435,7 @@ class VolumeKeeper {
   const VolumeKeeping& keeping_;
   std::vector<Piece> pieces_;
   std::vector<Parts> of_surface_;
-  std::vector<Point> from_apex_;  // the corners of the piece that is measured
+  std::vector<Point> from_apex_;  // corners of the measured piece
 };
 
 }  // namespace

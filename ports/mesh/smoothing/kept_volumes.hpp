@@ -1,4 +1,4 @@
-// Smoothed surfaces that enclose the volumes of their voxels.
+// Makes smoothed surfaces enclose the volumes of their voxels.
 #ifndef DISCMC_MESH_SMOOTHING_KEPT_VOLUMES_HPP
 #define DISCMC_MESH_SMOOTHING_KEPT_VOLUMES_HPP
 
@@ -11,14 +11,15 @@
 
 namespace discmc::meshing {
 
-/// A surface of SmoothedVolume. Its crossings keep their ends.
+/// A surface of SmoothedVolume. Its crossings must keep their ends.
 struct SmoothSurface {
   const Surface* surface;  ///< with its spacing
   Crossings* crossings;
 };
 
 struct VolumeKeeping {
-  /// The surface inside which a voxel lies, given as Crossings are: half-steps; none beyond all.
+  /// Returns the surface around a voxel, given in half-steps like Crossings; none if it is outside
+  /// all.
   std::function<std::size_t(const Vertex& voxel)> surface_of{};
   double tolerance = 0;        ///< as MeshingOptions, of the meshes that enclose the volumes
   double min_distance_mm = 0;  ///< how near to a voxel the surface comes
@@ -30,10 +31,11 @@ struct VolumeKeeping {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
-/// Moves the crossings of surfaces. If two surfaces meet, both get the crossing where their
-/// distances are equal. Then each body and each cavity is grown or shrunk evenly until it encloses
-/// the volume of its voxels. Bodies that fill a volume to its corners cannot all: each then lacks
-/// the same share. Cost: a mesh of each surface, all at once, and several passes over them.
+/// Moves the crossings of surfaces. If two surfaces meet, both get the crossing at which their
+/// distances are equal. Then each body and each cavity grows or shrinks evenly until it encloses
+/// the volume of its voxels. Bodies that fill a volume to its corners cannot all reach this; each
+/// then lacks an equal share. Cost: the meshes of all surfaces at once, and several passes over
+/// them.
 void keep_volumes(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping);
 
 }  // namespace discmc::meshing

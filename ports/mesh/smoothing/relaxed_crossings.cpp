@@ -26,13 +26,13 @@ Vertex times(int factor, const Vertex& vertex) {
   return {factor * vertex.x, factor * vertex.y, factor * vertex.z};
 }
 
-// The mean of a normal distribution between two limits. Units: edges.
+// Returns the mean of a normal distribution between two limits. Units: edges.
 double mean_within(double middle, double low, double high) {
   constexpr double root_of_two_pi = 2.506628274631;
   const auto density = [](double x) { return std::exp(-x * x / 2) / root_of_two_pi; };
   const auto above = [](double x) { return std::erfc(x / std::sqrt(2)) / 2; };
   const double from = (low - middle) / deviation, to = (high - middle) / deviation;
-  // The difference of the smaller tails is rounded least.
+  // Subtracting the smaller tails rounds least.
   const double share = from + to > 0 ? above(from) - above(to) : above(-to) - above(-from);
   return middle + deviation * (density(from) - density(to)) / share;
 }
@@ -51,26 +51,27 @@ class Relaxer {
   }
 
  private:
-  // How the surface continues from an edge, across a face beside it.
+  // The way in which the surface continues across a face beside an edge.
   enum class Way : std::uint8_t {
     none,
-    at_begin,  // the edge of the face at the begin of this one
+    at_begin,  // to the face's edge at the beginning of this edge
     at_end,
-    beside,  // the edge that is parallel
+    beside,  // to the parallel edge
     begin_of_border,
     end_of_border,
   };
   struct Neighbour {
     Way way;
-    std::uint32_t number;  // of the crossing
+    std::uint32_t number;  // number of the crossing
   };
-  // Two neighbours in each of two planes.
+  // A crossing with two neighbours in each of two planes.
   struct Node {
     Place place;
-    float low, high;  // between which the crossing is. Units: edges
+    float low, high;  // limits of the crossing. Units: edges
     std::array<std::array<Neighbour, 2>, 2> beside;
   };
-  // Where a line crosses: along the edge from its begin, and across it. Units: edges.
+  // The intersection of a line with the edge: along the edge from its beginning, and across. Units:
+  // edges.
   struct Spot {
     double along, across;
   };
@@ -90,8 +91,8 @@ class Relaxer {
     nodes_.push_back(node);
   }
 
-  // In an ambiguous face the voxels that are on are separate. So the surface goes around the one at
-  // the edge, if it can.
+  // The surface separates the voxels that are on in an ambiguous face. It therefore goes around the
+  // edge's voxel that is on, if possible.
   Neighbour neighbour(Place place, const Vertex& middle, const Vertex& step) const {
     const Vertex half = step_along(place.axis);
     const bool falls = crossings_.falls(place);
@@ -118,7 +119,7 @@ class Relaxer {
     return {neighbour.way == Way::at_begin ? 0.0 : 1.0, side == 0 ? 1 - across : across};
   }
 
-  // The mean of where straight lines between neighbours cross the edge.
+  // Returns the mean position at which straight lines between neighbours cross the edge.
   float relaxed(const Node& node) const {
     double sum = 0;
     unsigned planes = 0;
@@ -141,8 +142,8 @@ class Relaxer {
   std::vector<float> relaxed_;
 };
 
-// Moves a crossing half of the way to the middle, and at last all of it. Returns whether any way
-// was left.
+// Moves a crossing half of the way to the middle, and in the last rounds all of it. Returns
+// whether it had left the middle.
 bool move_to_middle(Crossings& crossings, Place place, unsigned round) {
   constexpr unsigned halves = 3;
   const float at = crossings.at(place);
@@ -152,7 +153,7 @@ bool move_to_middle(Crossings& crossings, Place place, unsigned round) {
 
 }  // namespace
 
-// This ends: with all crossings in the middle, the faces of cells do not intersect.
+// The loop ends, because faces of cells do not intersect if all crossings are in the middle.
 void separate(Crossings& crossings, const Surface& surface, const Relaxation& relaxation) {
   bool is_moved = true;
   for (unsigned round = 0; is_moved; ++round) {

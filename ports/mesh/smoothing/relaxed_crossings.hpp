@@ -1,4 +1,4 @@
-// The smoothest surface between the voxels, from the voxels alone.
+// Finds the smoothest surface between the voxels, without samples.
 #ifndef DISCMC_MESH_SMOOTHING_RELAXED_CROSSINGS_HPP
 #define DISCMC_MESH_SMOOTHING_RELAXED_CROSSINGS_HPP
 
@@ -12,18 +12,18 @@ namespace discmc::meshing {
 
 struct Relaxation {
   Border border = Border::closed;  ///< of the volume
-  double tolerance = 0;            ///< as MeshingOptions, of the mesh that is to be made
+  double tolerance = 0;            ///< as MeshingOptions, for the mesh to be made
   std::function<void()> check{};   ///< as MeshingOptions
 };
 
 /// Moves crossings within their intervals to the smoothest surface, in the manner of constrained
-/// elastic surface nets (S. Gibson, 1998), whose nodes move within cells. None passes a voxel: the
-/// surface stays closed, and no body, gap or tunnel is lost. Straight parts stay straight. If faces
-/// of the mesh would intersect, their crossings move back to the middles of their edges. surface:
-/// the one that has these crossings. Cost: two meshes, or more if there are such faces.
+/// elastic surface nets (S. Gibson, 1998), whose nodes move within cells. No crossing passes a
+/// voxel, so the surface stays closed, and no body, gap or tunnel is lost. Straight parts stay
+/// straight. If faces of the mesh would intersect, their crossings return to the middles of their
+/// edges. surface: has these crossings. Cost: two meshes, or more if faces intersect.
 void relax(Crossings& crossings, const Surface& surface, const Relaxation& relaxation);
 
-/// Its last step: moves crossings of faces that intersect to the middle of their edges.
+/// The last step of relax(): moves crossings of intersecting faces to the middle of their edges.
 void separate(Crossings& crossings, const Surface& surface, const Relaxation& relaxation);
 
 }  // namespace discmc::meshing

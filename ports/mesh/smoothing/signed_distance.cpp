@@ -7,13 +7,13 @@
 namespace discmc::meshing {
 namespace {
 
-constexpr float unreached = 1e15F;  // the square of which is a float, too
+constexpr float unreached = 1e15F;  // its square is also a float
 
 float square(float value) {
   return value * value;
 }
 
-// Sets each of the results to the squared distance from the nearer of two.
+// Sets each result to the squared distance from the nearer of two.
 void square_nearer(const float* before, float* after, float spacing, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     after[i] = square(spacing * std::min(before[i], after[i]));
@@ -111,7 +111,7 @@ void SignedDistance::find_between(const float* below, const float* above, float*
   spread_to_columns(squares);
 }
 
-// Spreads what was found along rows to the rows within reach.
+// Spreads the distances along rows to the rows within reach.
 void SignedDistance::spread_to_columns(float* squares) {
   for (std::uint32_t y = 0; y < height_; ++y) {
     const float* found = found_.data() + std::size_t{y} * width_;
@@ -125,7 +125,7 @@ void SignedDistance::spread_to_columns(float* squares) {
   }
 }
 
-// Spreads what was found along columns to the voxels within reach in the row.
+// Spreads the distances along columns to the voxels within reach in the row.
 void SignedDistance::spread_to_rows(float* squares) {
   for (std::size_t row = 0; row < found_.size(); row += width_) {
     const float* found = found_.data() + row;

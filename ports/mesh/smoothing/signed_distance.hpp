@@ -1,4 +1,4 @@
-// How far each voxel is from the surface of a mask.
+// Computes the distance of each voxel from the surface of a mask.
 #ifndef DISCMC_MESH_SMOOTHING_SIGNED_DISTANCE_HPP
 #define DISCMC_MESH_SMOOTHING_SIGNED_DISTANCE_HPP
 
@@ -9,16 +9,16 @@
 
 namespace discmc::meshing {
 
-/// The distance from each voxel to the nearest midpoint between an on and an off voxel: to a vertex
-/// of the merged surface. Exact up to a limit, which replaces all larger distances. Positive
-/// inside. There are no midpoints at the ends of the volume. Units: millimetres.
+/// The distance from each voxel to the nearest midpoint between an on and an off voxel, which is a
+/// vertex of the merged surface. Positive inside. Exact up to a limit, which replaces larger
+/// distances. The ends of the volume have no midpoints. Units: millimetres.
 ///
-/// Midpoints lie in planes: in a slice, or between two slices. In each plane distances are found
-/// along one axis, then along the other, then across the planes. Memory: three times the slices
-/// within the limit.
+/// Midpoints lie in planes: in a slice, or between two slices. Distances are computed within each
+/// plane, along one axis and then the other, and finally across the planes. Memory: three times the
+/// slices within the limit.
 class SignedDistance {
  public:
-  /// mask: 1 for an on voxel, else 0. limit_mm: at least a voxel.
+  /// mask: 1 if the voxel is on, else 0. limit_mm: at least a voxel.
   SignedDistance(const Grid& grid, double limit_mm, SliceSource mask);
 
   /// Writes the distances of the next slice.

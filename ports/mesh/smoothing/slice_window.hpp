@@ -1,4 +1,4 @@
-// Slices of numbers, one after another, as stages of a filter pass them on.
+// Slices of numbers that the stages of a filter pass on.
 #ifndef DISCMC_MESH_SMOOTHING_SLICE_WINDOW_HPP
 #define DISCMC_MESH_SMOOTHING_SLICE_WINDOW_HPP
 
@@ -20,7 +20,7 @@ struct Grid {
   std::size_t slice_samples() const { return std::size_t{dims[0]} * dims[1]; }
 };
 
-/// The voxels along each axis that a length reaches, at least one.
+/// Returns the number of voxels within a length along each axis, at least one.
 inline std::array<std::uint32_t, 3> reach(const Grid& grid, double length_mm) {
   std::array<std::uint32_t, 3> voxels{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -34,7 +34,7 @@ inline std::array<std::uint32_t, 3> reach(const Grid& grid, double length_mm) {
 /// Writes the next slice of a volume, rows of x from y = 0.
 using SliceSource = std::function<void(float*)>;
 
-/// The slices around one that a filter across slices takes.
+/// The slices within the radius of a filter across slices.
 template <class Element>
 class SliceWindow {
  public:
@@ -48,10 +48,10 @@ class SliceWindow {
   std::uint32_t first(std::uint32_t z) const { return z > radius_ ? z - radius_ : 0; }
   std::uint32_t last(std::uint32_t z) const { return std::min(z + radius_, depth_ - 1); }
 
-  /// Whether slices around z are still to be added.
+  /// Whether slices around z are still missing.
   bool lacks(std::uint32_t z) const { return count_ <= last(z); }
   std::uint32_t count() const { return count_; }
-  /// Returns where the next slice goes.
+  /// Adds the next slice, and returns its memory for the caller to fill.
   Element* add() { return slot(count_++); }
   /// Limit: a slice that was added and is at most 2 x radius before the last.
   const Element* at(std::uint32_t z) const { return ring_.data() + place(z); }

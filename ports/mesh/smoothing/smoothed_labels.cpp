@@ -19,7 +19,7 @@ namespace {
 
 using Voxel = std::array<std::uint32_t, 3>;
 
-// The voxels of a label lie from first to before end.
+// The voxels of a label, from `first` to before `end`.
 struct LabelBox {
   Voxel first{~0U, ~0U, ~0U}, end{};
   std::uint64_t voxels = 0;
@@ -43,7 +43,7 @@ LabelBox widened(const LabelBox& box, const Voxel& dims, const Voxel& by) {
   return wide;
 }
 
-// The voxels of a label in a box: 1, all others 0.
+// Returns 1 for the voxels of a label in a box, otherwise 0.
 template <class Sample>
 class LabelMask final : public SliceReader {
  public:
@@ -130,7 +130,7 @@ class LabelSmoother {
     if (boxes_.size() > max_scattered_labels) scatter_.require_labels(z, labels_near(z));
   }
 
-  // Values in a slice and the two before it.
+  // Returns the number of values in a slice and the two before it.
   std::size_t labels_near(std::uint32_t z) const {
     return static_cast<std::size_t>(
         std::count_if(boxes_.begin(), boxes_.end(),
@@ -153,7 +153,7 @@ class LabelSmoother {
     return {{label, box.voxels, std::move(joined.surface())}, std::move(crossings)};
   }
 
-  // Labels that are not chosen are smoothed, too: they have a part in the walls.
+  // Smooths unchosen labels, too, because they share walls with chosen ones.
   void keep_all_volumes(std::vector<SmoothedLabel>& all) const {
     std::map<Sample, std::size_t> places;
     for (const auto& each : boxes_) places.emplace(each.first, places.size());

@@ -1,4 +1,4 @@
-// The surfaces of the labels of a segmentation, each without the steps of its voxels.
+// Extracts the surfaces of a segmentation's labels, without the steps of voxels.
 #ifndef DISCMC_MESH_SMOOTHING_SMOOTHED_LABELS_HPP
 #define DISCMC_MESH_SMOOTHING_SMOOTHED_LABELS_HPP
 

@@ -5,7 +5,7 @@
 namespace discmc::meshing {
 namespace {
 
-// Distances beyond four deviations have no part in the surface.
+// Distances beyond four deviations do not affect the surface.
 double limit_mm(const SampleGrid& info, double deviation_mm) {
   return std::max(4 * deviation_mm, steps_mm(info));
 }
@@ -35,14 +35,14 @@ VolumeKeeping SmoothedVolume::keeping(const SampleGrid& info, double deviation_m
   return keeping;
 }
 
-// One voxel more than the kernel: its distance is the limit, as for all voxels beyond.
+// Includes one voxel more than the kernel, whose distance is the limit, as for all voxels beyond.
 std::array<std::uint32_t, 3> SmoothedVolume::reach(const SampleGrid& info, double deviation_mm) {
   auto voxels = meshing::reach(grid_of(info), limit_mm(info, deviation_mm));
   for (std::uint32_t& each : voxels) ++each;
   return voxels;
 }
 
-// Three deviations after the slice, the first blur still holds its distances.
+// The first blur still holds a slice's distances three deviations later.
 void SmoothedVolume::read_slice(void* samples) {
   auto* result = static_cast<float*>(samples);
   twice_.next(result);

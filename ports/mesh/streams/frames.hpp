@@ -1,4 +1,4 @@
-// The bytes of a link as frames.
+// Splits the bytes of a link into frames.
 #ifndef DISCMC_MESH_STREAMS_FRAMES_HPP
 #define DISCMC_MESH_STREAMS_FRAMES_HPP
 
@@ -12,8 +12,8 @@ namespace discmc::meshing {
 
 class Frames {
  public:
-  /// Calls take(frame) for every frame that these bytes end, with its zero. A frame that is too
-  /// long for a packet is cut to little more.
+  /// Calls take(frame) for every frame that ends in these bytes, including its zero. A frame too
+  /// long for a packet is cut, to bound memory.
   template <class Take>
   void push(const std::uint8_t* bytes, std::size_t count, Take take) {
     for (std::size_t i = 0; i < count; ++i) {

@@ -10,7 +10,7 @@ std::vector<std::uint8_t> ScanFilter::take(const std::uint8_t* bytes, std::size_
   return passed;
 }
 
-// The tag precedes the checksum. Damaged frames may contain any tag, and are left to the decoder.
+// The tag precedes the checksum. Damaged frames may contain any tag, so the decoder gets them.
 bool ScanFilter::is_other_scan(std::vector<std::uint8_t> frame) const {
   if (frame.size() > detail::wire::max_frame) return false;
   const std::size_t plain = detail::cobs::unstuff(frame.data(), frame.size() - 1);

@@ -1,4 +1,4 @@
-// The packets of one scan, of a link that carries several.
+// Selects the packets of one scan on a link with several scans.
 #ifndef DISCMC_MESH_STREAMS_SCAN_FILTER_HPP
 #define DISCMC_MESH_STREAMS_SCAN_FILTER_HPP
 
@@ -13,8 +13,8 @@ namespace discmc::meshing {
 class ScanFilter {
  public:
   explicit ScanFilter(std::uint16_t scan) : scan_(scan) {}
-  /// The frames of the scan among these bytes, whole, and what is no packet. A frame that they end
-  /// within comes with the bytes that end it.
+  /// Returns the complete frames of the scan in these bytes, and bytes that are not packets. An
+  /// incomplete frame is returned by the call that completes it.
   std::vector<std::uint8_t> take(const std::uint8_t* bytes, std::size_t count);
 
  private:

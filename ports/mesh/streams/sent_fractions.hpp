@@ -1,4 +1,4 @@
-// Where a stream of slices has the surface on the edges between voxels.
+// Stores where the surface of a stream of slices crosses the edges between voxels.
 #ifndef DISCMC_MESH_STREAMS_SENT_FRACTIONS_HPP
 #define DISCMC_MESH_STREAMS_SENT_FRACTIONS_HPP
 
@@ -12,22 +12,22 @@
 
 namespace discmc::meshing {
 
-/// The fractions of a scan. Memory: four bytes for each voxel that has any, and 16 for each row.
+/// The fractions of a scan. Memory: four bytes per voxel with fractions, and 16 per row.
 class SentFractions {
  public:
-  /// Keeps those of an event; any event is accepted.
+  /// Stores the fractions of an event. Accepts any event.
   void accept(const Event& event);
 
-  /// Whether the stream has any. Limit: after its header.
+  /// Whether the stream has fractions. Limit: after its header.
   bool are_sent() const { return levels_ > 0; }
 
-  /// Moves crossings of the polygons to where the stream has them.
+  /// Moves crossings of the polygons to the sent fractions.
   void place(Crossings& crossings) const;
 
  private:
   struct Row {
     std::uint32_t slice, row;
-    std::size_t begin;  // in voxels_
+    std::size_t begin;  // index in voxels_
   };
   struct Voxel {
     std::uint16_t x, entry;

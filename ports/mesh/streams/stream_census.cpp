@@ -9,7 +9,7 @@ void StreamCensus::take(const std::uint8_t* bytes, std::size_t count) {
 }
 
 void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
-  // Stuffing leaves the kind of a packet as it is.
+  // Byte stuffing does not change the kind of a packet.
   constexpr auto header_kind = static_cast<std::uint8_t>(detail::wire::PacketKind::header);
   if (frame.size() < 2 || frame[1] != header_kind) return;
   PacketReader reader;
@@ -17,7 +17,7 @@ void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   for (const std::uint8_t byte : frame) static_cast<void>(reader.add(byte));
   if (reader.is_refused()) {
     detail::wire::ByteReader fields(reader.payload(), reader.payload_bytes());
-    other_version_ = static_cast<std::uint8_t>(fields.get(3 + 1) >> 24);  // behind the magic
+    other_version_ = static_cast<std::uint8_t>(fields.get(3 + 1) >> 24);  // after the magic number
   }
   if (!reader.report().has_header) return;
   const StreamHeader& header = reader.header();

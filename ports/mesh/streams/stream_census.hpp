@@ -1,4 +1,4 @@
-// Which streams share a link.
+// Lists the streams that share a link.
 #ifndef DISCMC_MESH_STREAMS_STREAM_CENSUS_HPP
 #define DISCMC_MESH_STREAMS_STREAM_CENSUS_HPP
 
@@ -17,16 +17,16 @@ namespace discmc::meshing {
 class StreamCensus {
  public:
   void take(const std::uint8_t* bytes, std::size_t count);
-  /// One of each stream, in the order in which they came.
+  /// Returns one header per stream, in the order of arrival.
   const std::vector<StreamHeader>& headers() const { return headers_; }
-  /// The version of the last header whose version is not detail::wire::version.
+  /// Returns the version of the last header whose version is not detail::wire::version.
   std::uint8_t other_version() const { return other_version_; }
 
  private:
   void look_at(const std::vector<std::uint8_t>& frame);
 
   Frames frames_;
-  std::unordered_set<std::uint32_t> tags_;  // by what names them
+  std::unordered_set<std::uint32_t> tags_;  // of known streams
   std::vector<StreamHeader> headers_;
   std::uint8_t other_version_ = 0;
 };

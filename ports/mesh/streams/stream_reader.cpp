@@ -69,7 +69,7 @@ void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {
   status_ = decoded.status;
 }
 
-// The sink takes everything: there are lost rows to be skipped.
+// The sink accepts everything, so a suspended decoder has lost rows to skip.
 Status StreamReader::go_on_skipping() {
   constexpr std::uint64_t max_work = std::uint64_t{1} << 36;  // some seconds
   const std::uint64_t work_of_row = header().width + std::uint64_t{1000};
@@ -84,8 +84,8 @@ Status StreamReader::go_on_skipping() {
   }
 }
 
-// Enough for surfaces of any size: what is never used costs nothing, and what has no room is
-// joined.
+// Reserves enough for surfaces of any size. Unused memory costs nothing; pieces without room are
+// joined later.
 Status StreamReader::give_memory() {
   const Limits limits{header().width, header().height, header().border};
   constexpr std::uint64_t for_chains = std::uint64_t{64} << 20;

@@ -1,4 +1,4 @@
-// Streams (.dmc), read through a decoder.
+// Reads streams (.dmc) through a decoder.
 #ifndef DISCMC_MESH_STREAMS_STREAM_READER_HPP
 #define DISCMC_MESH_STREAMS_STREAM_READER_HPP
 
@@ -17,42 +17,43 @@
 
 namespace discmc::meshing {
 
-/// Which stream of a link, and which surface of it.
+/// The choice of a stream on a link, and of its surface.
 struct StreamChoice {
-  std::uint8_t channel = any_channel;  ///< as of the SurfaceDecoder
-  std::optional<std::uint16_t> scan;   ///< else the first
+  std::uint8_t channel = any_channel;  ///< as for SurfaceDecoder
+  std::optional<std::uint16_t> scan;   ///< default: the first
 
   bool is_any() const { return channel == any_channel && !scan; }
 };
 
-/// A stream of either kind.
+/// Reads a stream of either kind.
 class StreamReader {
  public:
-  /// sink: it must not return "busy".
+  /// sink: must not return "busy".
   explicit StreamReader(const Sink& sink, const StreamChoice& choice = {});
-  /// As of the Decoder.
+  /// As Decoder::set_packet_passthrough().
   void set_packet_passthrough(const RecordsPacketSink& sink) {
     decoder_.set_packet_passthrough(sink);
   }
-  /// Any number of bytes; a sink gets what they complete. Throws std::runtime_error when the
-  /// stream's version is unknown, or when it claims more lost rows than can be skipped in some
-  /// seconds. Limit: not after that.
+  /// Decodes any number of bytes; the sink receives the events that they complete. Throws
+  /// std::runtime_error if the stream's version is unknown, or if it claims too many lost rows to
+  /// skip in some seconds. Limit: not after an exception.
   void push(const std::uint8_t* bytes, std::size_t count);
-  /// Ends the stream: no bytes follow. Throws as push().
+  /// Ends the stream. Throws like push().
   void finish();
-  /// All of a stream. progress: called now and then with the bytes read so far. Throws as push().
+  /// Reads a whole stream. progress: called regularly with the number of bytes read. Throws like
+  /// push().
   void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});
 
   const StreamHeader& header() const { return decoder_.header(); }
   const StreamReport& report() const { return decoder_.report(); }
-  /// The voxels of the scan. Along z: the slices in the trailer, otherwise the planned ones,
-  /// otherwise as many as any scan has.
+  /// Returns the extents of the scan in voxels. Along z: the slices in the trailer, else the
+  /// planned ones, else the maximum.
   std::array<std::uint32_t, 3> dims() const;
-  /// The channel that was read.
+  /// Returns the channel that is read.
   std::uint8_t channel() const {
     return choice_.channel == any_channel ? header().channel : choice_.channel;
   }
-  /// The headers of all streams of the link.
+  /// Returns the headers of all streams on the link.
   const std::vector<StreamHeader>& headers() const { return census_.headers(); }
 
  private:
@@ -67,7 +68,7 @@ class StreamReader {
   SurfaceDecoder decoder_{};
   std::unique_ptr<std::uint8_t[]> memory_;  // for a stream of slices
   Status status_ = Status::ok;
-  std::uint64_t skipped_ = 0;  // how much work the lost rows were so far
+  std::uint64_t skipped_ = 0;  // work for lost rows so far
 };
 
 }  // namespace discmc::meshing
