@@ -42,7 +42,7 @@ class Arena {
     return static_cast<T*>(allocate_bytes(count <= max_count ? count * sizeof(T) : max_bytes));
   }
 
-  /// The bytes for further arrays.
+  /// Returns the number of bytes left for further arrays.
   size_t left() const { return left_; }
   /// Whether an array did not fit.
   bool is_exhausted() const { return is_exhausted_; }

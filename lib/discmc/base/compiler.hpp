@@ -18,7 +18,7 @@
 static_assert(INT_MAX >= 0x7FFFFFFF,
               "discmc needs an int of at least 32 bits: its integers are promoted to int");
 
-// ---- what there is ----
+// ---- available features ----
 
 #if !defined(DISCMC_FORCE_PORTABLE)
 #if defined(__GNUC__) || defined(__clang__)
@@ -104,7 +104,7 @@ inline void store_release(uint32_t& word, uint32_t value) {
   __atomic_store_n(&word, value, __ATOMIC_RELEASE);
 }
 #else
-// On a Cortex-M0 Clang would call a function for these, which other compilers do not have.
+// Clang for a Cortex-M0 would call library functions for these, which other compilers lack.
 inline void keep_order() {
 #if defined(DISCMC_HAS_GNU)
   __asm__ volatile("dmb" ::: "memory");

@@ -84,10 +84,10 @@ class SlotAccount {
     poison(&next(index, slot_bytes), slot_bytes);
   }
 
-  /// Whether a slot has been taken at some time.
+  /// Whether a slot has ever been allocated.
   DISCMC_ALWAYS_INLINE bool has(Index index) const { return index != no_slot && index <= fresh_; }
 
-  uint8_t* slots_ = nullptr;  // counted from one
+  uint8_t* slots_ = nullptr;  // counted from 1
   uint32_t capacity_ = 0;
 
  private:
@@ -97,7 +97,7 @@ class SlotAccount {
   }
 
   uint32_t available_ = 0;
-  uint32_t fresh_ = 0;  // slots after this one have never been taken
+  uint32_t fresh_ = 0;  // slots after this one were never allocated
   Index free_ = no_slot;
 };
 
@@ -130,7 +130,7 @@ class Pool : public SlotAccount<Index> {
   /// Releases a slot. Limit: it is in use.
   void give(Index index) { SlotAccount<Index>::give(index, sizeof(Slot)); }
 
-  /// Lets the caller access free slots, too, until they are taken and released again: checks.hpp.
+  /// Lets the caller access free slots, too, until they are allocated and freed again: checks.hpp.
   DISCMC_ALWAYS_INLINE void unpoison_free() {
     if (this->capacity_ > 0)
       unpoison(this->slots_ + sizeof(Slot), size_t{this->capacity_} * sizeof(Slot));

@@ -21,7 +21,7 @@ discmc_status discmc_encoder_restore(discmc_encoder** encoder,
 }
 discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part) {
   Memory object;
-  *part = encoder->memory;  // as long as the memory of the config, wherever the object lies in it
+  *part = encoder->memory;  // as long as the config's memory, at any alignment
   return c(encoder->encoder.save(&object));
 }
 

@@ -17,7 +17,7 @@ static_assert(DISCMC_MIN_SLOTS == minimum_capacities().slots &&
 
 }  // namespace discmc
 
-// Outside the namespace, where they are those that discmc.h declares.
+// These must be outside the namespace, because discmc.h declares them.
 const discmc_extractor_kind discmc_plain_bits = discmc::PlainKind<discmc::Bits>::functions;
 const discmc_extractor_kind discmc_plain_u8 = discmc::PlainKind<uint8_t>::functions;
 const discmc_extractor_kind discmc_plain_u16 = discmc::PlainKind<uint16_t>::functions;

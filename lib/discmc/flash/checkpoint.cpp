@@ -5,11 +5,11 @@
 
 namespace discmc::detail {
 
-// It begins with what a restored object must have in common with the saved one.
+// The checksum begins with the properties that a restored object must share with the saved one.
 uint32_t Seal::checksum_of(const void* object, uint32_t object_bytes, uint32_t layout,
                            const void* memory) {
   const uint32_t before = checksum_;
-  checksum_ = 0;  // the seal is a part of the object
+  checksum_ = 0;  // the seal is part of the object
   const uint32_t offset = reinterpret_cast<uintptr_t>(memory) % Arena::alignment;
   const uint32_t common = layout << 16 ^ object_bytes << 2 ^ offset;
   const uint32_t of_object = crc32(static_cast<const uint8_t*>(object), object_bytes, common);
@@ -18,12 +18,12 @@ uint32_t Seal::checksum_of(const void* object, uint32_t object_bytes, uint32_t l
 }
 
 void Seal::close(void* object, uint32_t object_bytes, uint32_t layout, Memory used) {
-  unpoison(used.data, used.bytes);  // free slots, too
+  unpoison(used.data, used.bytes);  // including free slots
   memory_bytes_ = used.bytes;
   checksum_ = checksum_of(object, object_bytes, layout, used.data);
 }
 
-// Reads no more than the memory, as a damaged seal may contain any length.
+// Reads no more than the memory, because a damaged seal may contain any length.
 bool Seal::is_intact(void* object, uint32_t object_bytes, uint32_t layout, Memory memory) {
   if (memory_bytes_ > memory.bytes) return false;
   unpoison(memory.data, memory_bytes_);

@@ -85,7 +85,7 @@ bool CheckpointStore::is_whole(uint32_t slot, const StoredHead& head) {
   return read_slot(slot) == Status::ok;
 }
 
-// The lengths in flash are those of the newest checkpoint, which start() or save() found whole.
+// The lengths in flash belong to the newest checkpoint, which start() or save() verified.
 Status CheckpointStore::restore(const Memory* parts, uint32_t count) {
   if (!is_started()) return Status::not_started;
   break_off();
@@ -147,7 +147,7 @@ void CheckpointStore::set_pieces(const Memory* parts, uint32_t count) {
   pieces_.of[piece++] = {lengths_, sizeof lengths_};
   for (uint32_t i = 0; i < count; ++i) {
     pieces_.of[piece++] = parts[i];
-    unpoison(parts[i].data, parts[i].bytes);  // a scan before may have left it poisoned
+    unpoison(parts[i].data, parts[i].bytes);  // an earlier scan may have left it poisoned
   }
   pieces_.of[piece++] = {&tail_, sizeof tail_};
   pieces_.count = piece;

@@ -30,7 +30,7 @@ Status Downsampler<Sample>::start(const Limits& incoming, uint32_t extent, Memor
   return Status::ok;
 }
 
-// The extent of a block on an axis of this many voxels.
+// Returns the extent of a block on an axis of this many voxels.
 template <class Sample>
 uint32_t Downsampler<Sample>::size_of(uint32_t block, uint32_t voxels) const {
   const uint32_t left = voxels - block * extent_;

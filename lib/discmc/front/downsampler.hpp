@@ -74,10 +74,10 @@ class Downsampler {
   uint32_t extent_ = 1;
   uint32_t* sums_ = nullptr;  // of a slice of blocks
   Sample* means_ = nullptr;   // of a row of blocks
-  uint32_t row_ = 0;          // that comes next, in its slice
-  uint32_t slice_ = 0;        // in its layer of blocks
+  uint32_t row_ = 0;          // next row of the slice
+  uint32_t slice_ = 0;        // slice within its layer of blocks
   uint32_t row_in_block_ = 0;
-  uint32_t block_ = 0;  // the row of blocks that comes next, of sums or of means
+  uint32_t block_ = 0;  // next row of blocks, of sums or of means
 };
 
 extern template class Downsampler<uint8_t>;

@@ -1,4 +1,4 @@
-// A part of a sensor's picture: a range of each axis, and of that range every voxel or every Nth.
+// Selects a part of a sensor's picture: a range of each axis, with every voxel or every Nth.
 //
 //   cropper.start(incoming, {{100, 256}, {}, {0, 200, 2}});    x, y, z
 //   extractor.start(cropper.limits(), ...);
@@ -63,7 +63,7 @@ class RowCropper {
   void crop_bits(const uint8_t* bits, uint8_t* picked) const;
 
  private:
-  uint32_t first_ = 0, count_ = 0, step_ = 1;  // of x
+  uint32_t first_ = 0, count_ = 0, step_ = 1;  // along x
   CropRange y_{};
   uint32_t height_ = 0;
   uint32_t row_ = 0;     // next in its slice

@@ -17,8 +17,8 @@ void RowRing::commit() {
 }
 
 RowRing::Next RowRing::peek() const {
-  // Reads in the opposite order of the writes: so every counted row that was filled is visible, and
-  // the last row if the end is.
+  // Reads in the reverse order of the writes. Every counted row is therefore visible, and the last
+  // row is visible if the end is.
   const bool was_last = load_acquire(ended_) != 0;
   const uint32_t incoming = load_acquire(produced_);
   const bool is_there = load_acquire(filled_) != emptied_;

@@ -103,15 +103,15 @@ class RowRing {
 
  private:
   uint8_t* rows_ = nullptr;
-  uint32_t* numbers_ = nullptr;  // of the rows
+  uint32_t* numbers_ = nullptr;  // numbers of the rows
   uint32_t row_bytes_ = 0;
   uint32_t room_ = 0;
-  // Written by the producer.
-  uint32_t filled_ = 0;      // rows so far
-  uint32_t produced_ = 0;    // those and the lost ones; written after filled_
-  uint32_t ended_ = 0;       // 1: produced_ is the last
+  // The producer writes these.
+  uint32_t filled_ = 0;      // rows filled so far
+  uint32_t produced_ = 0;    // rows filled or lost; written after filled_
+  uint32_t ended_ = 0;       // 1: produced_ includes the last row
   uint32_t fill_place_ = 0;  // in the ring
-  // Written by the consumer.
+  // The consumer writes these.
   uint32_t emptied_ = 0;
   uint32_t consumed_ = 0;
   uint32_t empty_place_ = 0;

@@ -14,7 +14,7 @@ uint8_t* write_word(uint32_t word, uint32_t count, uint8_t* bits) {
   return bits;
 }
 
-// The bits of up to 32 samples.
+// Returns the bits of up to 32 samples.
 template <class Sample>
 uint32_t word_of(const detail::trace::Threshold<Sample>& on, const Sample* samples, uint32_t count,
                  uint32_t stride) {

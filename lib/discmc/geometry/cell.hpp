@@ -100,7 +100,7 @@ struct Successors {
   CellPoint next[point_codes];
 };
 
-// Every run of on corners around a face is cut off by one link, which keeps them on its left.
+// One link cuts off every run of on corners around a face, and keeps these corners on its left.
 constexpr void add_face_links(Configuration configuration, int face, Successors& successors) {
   const FaceCorners ring = face_corners(face);
   bool on[4] = {};

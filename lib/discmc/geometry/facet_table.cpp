@@ -45,14 +45,14 @@ struct Derived {
   CellFacts facts;
 };
 
-// Twice the area of a face's on part, in square half-steps, by the bits of its corners in ring
-// order.
+// Returns twice the area of a face's on part, in square half-steps, by the bits of its corners in
+// ring order.
 constexpr uint8_t twice_on_area(int on_count, bool diagonal) {
   constexpr uint8_t by_count[] = {0, 1, 4, 7, 8};
   return diagonal ? 2 : by_count[on_count];
 }
 
-// Six times the volume of the pyramids over the faces' on parts, their tips at the centroid.
+// Returns six times the volume of the pyramids from the centroid to the on parts of the faces.
 constexpr int face_pyramids(Configuration configuration) {
   int sum = 0;
   for (int face = 0; face < faces; ++face) {

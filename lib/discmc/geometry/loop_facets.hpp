@@ -15,8 +15,8 @@ constexpr Incidence incidence_of_facet(const Vertex& a, const Vertex& b, const V
   return incidence_of(Vertex{sign_of(n.x), sign_of(n.y), sign_of(n.z)});
 }
 
-/// A loop with the incidences of the facets behind each of its links. Numbers of links and points
-/// wrap, from -count on.
+/// A loop with the incidences of the facets behind each of its links. Indexes of links and points
+/// wrap, and may be as low as -count.
 struct LoopFacets {
   Loop loop;
   bool is_fan;

@@ -9,13 +9,13 @@ constexpr uint64_t magnitude(int64_t value) {
   return value < 0 ? 0 - static_cast<uint64_t>(value) : static_cast<uint64_t>(value);
 }
 
-// The bits that the largest component needs.
+// Returns the number of bits that the largest component needs.
 int bits_of(const LongVector& v) {
   const uint64_t together = magnitude(v.x) | magnitude(v.y) | magnitude(v.z);
   return static_cast<int>(bit_width(together));
 }
 
-// A half is rounded away from zero, so that opposite vectors stay opposite.
+// Rounds a half away from zero, so that opposite vectors stay opposite.
 int64_t shifted_right(int64_t value, int bits) {
   const uint64_t size = (magnitude(value) + (uint64_t{1} << bits >> 1)) >> bits;
   return value < 0 ? -static_cast<int64_t>(size) : static_cast<int64_t>(size);
@@ -45,7 +45,7 @@ uint32_t size_of(int32_t value) {
   return static_cast<uint32_t>(value < 0 ? -value : value);
 }
 
-// Bit by bit: the largest number whose square is not above `value`.
+// Computes bit by bit the largest number whose square is at most `value`.
 uint32_t square_root(uint32_t value) {
   uint32_t root = 0;
   for (uint32_t bit = 1U << 15; bit > 0; bit >>= 1) {
@@ -55,7 +55,7 @@ uint32_t square_root(uint32_t value) {
   return root;
 }
 
-// value * scale / whole, rounded. Limit: |value| <= whole, |value| * scale < 2^31.
+// Returns value * scale / whole, rounded. Limit: |value| <= whole, |value| * scale < 2^31.
 int32_t share(int32_t value, uint32_t scale, uint32_t whole) {
   const uint32_t size = (size_of(value) * scale + whole / 2) / whole;
   return value < 0 ? -static_cast<int32_t>(size) : static_cast<int32_t>(size);
@@ -79,7 +79,7 @@ AxisWeights axis_weights(const int32_t (&spacing)[3]) {
   };
   const LongVector products = {product(1, 2), product(2, 0), product(0, 1)};
   const LongVector weight = scaled(products, 30);
-  // Never 0, which would lose a normal along the axis.
+  // Never returns 0, which would lose a normal along the axis.
   const auto signed_as = [](int32_t value, int64_t size) {
     const int64_t some = size > 0 ? size : 1;
     return static_cast<int32_t>(value < 0 ? -some : some);

@@ -85,7 +85,7 @@ void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingS
   if (!name_vertices(vertices, scratch, name, count))
     return sink.accept(sink.context, vertices, count);
   for (uint32_t i = 0; i < count; ++i) depth[i] = 0;
-  // The path so far has no vertex twice. It overwrites vertices that have been read.
+  // No vertex repeats in the path so far. The path overwrites vertices that have been read.
   uint32_t length = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t recurrence = depth[name[i]];

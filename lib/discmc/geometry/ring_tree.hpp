@@ -1,10 +1,10 @@
-// Rings that wait on their planes, sorted by place.
+// A tree of waiting rings, sorted by plane and place.
 //
-// Which rings lie inside another ring? Each ring is represented by a point beside it, so it lies on
-// one line of its plane. On that line the other ring's nearest side before the point decides: it
-// leads inside, or outside. So each side of the other ring is noted at the next ring behind it, on
-// every line that the side crosses. Rings behind that one, up to the next one with a note, are on
-// the same side. Nothing else is looked at.
+// The tree finds which rings lie inside another ring. A point beside each ring represents it, so
+// the ring lies on one line of its plane. The nearest side of the other ring before the point
+// decides, as that side leads inside or outside. Therefore each side of the other ring is noted at
+// the next ring behind it, on every line that it crosses. Rings between two notes are on the same
+// side, and need no look-up.
 #ifndef DISCMC_GEOMETRY_RING_TREE_HPP
 #define DISCMC_GEOMETRY_RING_TREE_HPP
 
@@ -48,12 +48,12 @@ class RingSide {
     const ProjectedPoint end = projected(incidence, after_run(incidence, from, run));
     first_line_ = 8 * (begin.v < end.v ? begin.v : end.v);
     end_line_ = 8 * (begin.v < end.v ? end.v : begin.v);
-    slope_ = static_cast<int32_t>(step.u * step.v);  // steps along both are by one each
+    slope_ = static_cast<int32_t>(step.u * step.v);  // -1, 0 or 1
     on_line_0_ = 8 * (begin.u - slope_ * begin.v);
     leads_left_ = projected(incidence, cross(incidence_normal(incidence), link)).u > 0;
   }
 
-  /// The lines that it crosses: from the first one on, those before the end.
+  /// The crossed lines: from first_line() to before the end.
   int64_t first_line() const { return first_line_; }
   int64_t end_line() const { return end_line_; }
   /// Its position on a line.
@@ -68,19 +68,19 @@ class RingSide {
  private:
   int64_t first_line_;
   int64_t end_line_;
-  int64_t on_line_0_;  // where it would cross that
+  int64_t on_line_0_;  // where it would cross line 0
   int32_t slope_;
   bool leads_left_;
 };
 
-/// Its look-ups are not inlined: they are called from many places, and seldom.
+/// Look-ups are not inlined, because many places call them rarely.
 /// Rings: a type with left(ring) and right(ring), which return links by reference, and with
 /// incidence(ring), start(ring) and first(ring), the direction of the first link. Rings are numbers
-/// from 1 on. Cost of every function: the depth of a treap; of has_any() and cross(), per line.
+/// from 1 on. Cost of every function: the depth of a treap; for has_any() and cross(), per line.
 template <class Rings>
 class RingTree {
  public:
-  /// One of the rings, or no_slot.
+  /// Returns any ring, or no_slot.
   uint32_t any() const { return tree_.root(); }
 
   DISCMC_NOINLINE void insert(const Rings& rings, uint32_t ring) {
@@ -90,7 +90,7 @@ class RingTree {
     tree_.remove(Nodes{rings}, ring);
   }
 
-  /// A ring on the plane of a vertex, or no_slot.
+  /// Returns any ring on the plane of a vertex, or no_slot.
   DISCMC_NOINLINE uint32_t any_on_plane(const Rings& rings, Incidence incidence,
                                         const Vertex& at) const {
     const Plane plane{incidence, plane_offset(incidence, at)};
@@ -101,7 +101,7 @@ class RingTree {
     });
   }
 
-  /// The next ring on the line of a ring, or no_slot.
+  /// Returns the next ring on the line of a ring, or no_slot.
   DISCMC_NOINLINE uint32_t next_on_line(const Rings& rings, uint32_t ring) const {
     const ProjectedPoint at = point(rings, ring);
     return first_on_line(rings, plane_of(rings, ring), {at.u + 1, at.v});
@@ -157,7 +157,7 @@ class RingTree {
       const Plane plane = plane_of(rings, other);
       const ProjectedPoint at = point(rings, other);
       if (is_behind(rings, ring, plane, {at.u + 1, at.v})) return false;
-      // Rings of chance may be equal: without an order of them the tree would be deep.
+      // Two rings may be equal. Without an order of equal rings the tree would be deep.
       return !is_behind(rings, ring, plane, at) || ring < other;
     }
   };

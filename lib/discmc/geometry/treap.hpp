@@ -21,7 +21,7 @@ class Treap {
   void insert(const Nodes& nodes, uint32_t node) {
     uint32_t* link = &root_;
     while (priority(*link) > priority(node)) link = &towards(nodes, node, *link);
-    // What lies below is divided: nodes before the new one, and nodes after it.
+    // Divides the nodes below into nodes before the new one and nodes after it.
     uint32_t rest = *link;
     *link = node;
     uint32_t* before = &nodes.left(node);
@@ -45,7 +45,7 @@ class Treap {
     uint32_t* link = &root_;
     while (*link != node) link = &towards(nodes, node, *link);
     uint32_t before = nodes.left(node), after = nodes.right(node);
-    while (before != after) {  // until both are no_slot
+    while (before != after) {  // ends when both are no_slot
       const bool is_before = priority(before) > priority(after);
       uint32_t& upper = is_before ? before : after;
       *link = upper;
@@ -89,7 +89,8 @@ class Treap {
   static uint32_t& towards(const Nodes& nodes, uint32_t node, uint32_t from) {
     return nodes.precedes(node, from) ? nodes.left(from) : nodes.right(from);
   }
-  // No two numbers have the same one, as every step can be undone; that of no_slot is the least, 0.
+  // Each number has a different priority, because every step is invertible. no_slot has the least,
+  // 0.
   static uint32_t priority(uint32_t node) {
     node = (node ^ node >> 16) * 0x85EBCA6BU;
     node = (node ^ node >> 13) * 0xC2B2AE35U;

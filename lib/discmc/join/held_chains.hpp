@@ -1,4 +1,4 @@
-// The chains that a joiner holds: fragments, and the rings that they become.
+// The chains in a joiner: fragments, and the rings that they become.
 #ifndef DISCMC_JOIN_HELD_CHAINS_HPP
 #define DISCMC_JOIN_HELD_CHAINS_HPP
 
@@ -42,12 +42,12 @@ struct HeldChain {
     Vertex end;     ///< of an open chain
     RingNode node;  ///< of a ring
   };
-  int32_t high;         ///< the largest v of the ends of its runs (ring_tree.hpp)
-  uint32_t next_noted;  ///< the next ring in the list of those with a note
+  int32_t high;         ///< largest v at the ends of its runs (ring_tree.hpp)
+  uint32_t next_noted;  ///< next ring in the list of rings with a note
   Incidence incidence;
-  Direction incoming;  ///< the direction of the link that leads to its start
+  Direction incoming;  ///< of the link to its start
   union {
-    uint8_t turn;   ///< of an open chain: the sum of its turns, with the one at its start, mod 256
+    uint8_t turn;   ///< of an open chain: sum of its turns with the one at its start, mod 256
     uint8_t marks;  ///< of a ring
   };
   State state;
@@ -60,8 +60,8 @@ struct HeldChain {
 
 static_assert(sizeof(HeldChain) == 48 && sizeof(HeldRun) == 12, "what joiner.hpp reckons with");
 
-/// Chains and their runs in two pools, named by index from 1 on. Owner: the slots lie in the
-/// arena. Cost of every function but give(): a few instructions.
+/// Chains and their runs in two pools, with indexes from 1 on. Owner: the slots lie in the arena.
+/// Cost of every function except freeing: a few instructions.
 class HeldChains {
  public:
   /// Call clear() before using it.
@@ -74,7 +74,7 @@ class HeldChains {
     runs_.clear();
   }
 
-  /// Lets the caller access the memory that is free.
+  /// Lets the caller access free memory.
   DISCMC_ALWAYS_INLINE void unpoison_free() {
     chains_.unpoison_free();
     runs_.unpoison_free();
@@ -83,7 +83,7 @@ class HeldChains {
   /// Allocates an open chain without runs, or returns no_chain if there is no room.
   uint32_t add(Incidence incidence, const Vertex& start, Direction incoming);
 
-  /// Releases a chain and its runs. Cost: its runs.
+  /// Frees a chain and its runs. Cost: its runs.
   void give(uint32_t chain);
 
   /// Appends a run to a chain. False if there is no room; then nothing has changed.

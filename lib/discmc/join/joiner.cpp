@@ -109,7 +109,7 @@ bool Joiner::end_fragment(const Event& event) {
     case Fate::ignored:
       ++report_.invalid;
       break;
-    default:  // the fragment has its place, and was counted
+    default:  // the fragment was placed and counted
       return true;
   }
   ++report_.received;
@@ -133,7 +133,7 @@ bool Joiner::end_region(const Event& event) {
   return settle() && pass(event);
 }
 
-// Several streams, such as those of slabs, have one start: the first.
+// Several streams, such as slabs, share one start: the first.
 bool Joiner::process_start(const Event& event) {
   has_start_ = has_start_ || pass(event);
   return has_start_;
@@ -194,7 +194,7 @@ void Joiner::forget_fragment() {
   fate_ = Fate::none;
 }
 
-// From now on everything is passed on, the held chains first.
+// From now on, all events pass, beginning with the held chains.
 void Joiner::run_short() {
   is_short_ = true;
   if (arriving_ != detail::join::no_chain) fate_ = Fate::passed;

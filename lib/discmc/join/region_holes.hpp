@@ -7,8 +7,8 @@
 
 namespace discmc::detail::join {
 
-/// A hole belongs to a region if it lies inside its outer ring, and if no other waiting ring inside
-/// contains it. Such a ring belongs to a region in one of the holes.
+/// A hole belongs to a region if it lies inside the outer ring, and no other waiting ring inside
+/// contains it. A containing ring belongs to a region in one of the holes.
 class RegionHoles {
  public:
   /// Follows an event of the region, in order. Limit: from its outer ring on, no ring may begin or
@@ -18,15 +18,15 @@ class RegionHoles {
   /// Forgets the region.
   void forget(WaitingChains& waiting);
 
-  /// Takes the region's holes out of the waiting ones, after all runs of the region. Returns the
-  /// first; the others follow by HeldChain::next. Returns no_chain if there is none, and in later
-  /// calls. Cost: the rings inside, and WaitingRings::note() for each of their runs.
+  /// Removes the region's holes from the waiting rings, after all runs of the region. Returns the
+  /// first one; the others follow by HeldChain::next. Returns no_chain if there are none, and in
+  /// later calls. Cost: the rings inside, and WaitingRings::note() for each of their runs.
   uint32_t claim(WaitingChains& waiting);
 
  private:
   Incidence incidence_ = 0;
-  bool is_followed_ = false;  // as rings wait on its plane
-  Vertex at_{};               // the end of the current ring so far
+  bool is_followed_ = false;  // whether rings wait on its plane
+  Vertex at_{};               // current end of the current ring
 };
 
 }  // namespace discmc::detail::join

@@ -1,4 +1,4 @@
-// The rings that wait in a joiner for the other rings of their region.
+// The rings in a joiner that wait for the other rings of their region.
 #ifndef DISCMC_JOIN_WAITING_RINGS_HPP
 #define DISCMC_JOIN_WAITING_RINGS_HPP
 
@@ -64,7 +64,7 @@ class WaitingRings {
   };
 
   RingTree<Nodes> places_;
-  Treap<Lowest> outers_;  // that are delivered next: no longer in the other tree
+  Treap<Lowest> outers_;  // outer rings to deliver next, removed from the other tree
   uint32_t first_noted_ = no_chain;
   uint32_t unsorted_outers_ = 0;
 };

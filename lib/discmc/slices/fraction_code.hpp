@@ -17,10 +17,10 @@ namespace discmc::detail::slices {
 /// fractions in the entries of the row; the reader leaves them there.
 class FractionCode {
  public:
-  /// Whether the row is in a key slice that has a slice before it, and whether that slice is known.
+  /// Whether the row's key slice has a slice before it, and whether that slice is known.
   enum class KeyEdges : uint8_t { none, known, unknown };
 
-  /// off: a row that is off. Limit: before reading, the entries of the row are 0.
+  /// off: whether the row is off. Limit: before reading, the entries of the row are 0.
   DISCMC_ALWAYS_INLINE void begin(const FractionRow& row, FractionModel& model, KeyEdges key_edges,
                                   const uint32_t* off) {
     row_ = row;
@@ -40,22 +40,22 @@ class FractionCode {
     }
     begin_pass();
   }
-  /// For a row that was skipped.
+  /// Ends a row that was skipped.
   void end() {
     part_ = Part::done;
     left_ = 0;
   }
   bool is_done() const { return part_ == Part::done; }
-  /// Where the next step begins: the part of the row, and what is left of it, as in a cut.
+  /// The position of the next step: the part of the row, and what is left of it, as in a cut.
   uint32_t part() const {
     const auto part = static_cast<uint32_t>(part_);
     return detail::wire::row_part * (part_ == Part::edges ? part + axis() : part);
   }
   uint32_t left() const { return part_ == Part::edges ? row_.width - voxel() : left_; }
 
-  /// Codes the next fraction, or the number of those that come last. False if the bits that were
-  /// read are from no encoder. Limit: not is_done(). Cost: 1 or 2 decisions; for a number, up to
-  /// 16 and 15 even bits.
+  /// Codes the next fraction, or the number of fractions that come last. Returns false if no
+  /// encoder wrote the bits. Limit: not is_done(). Cost: 1 or 2 decisions; for a number, up to 16,
+  /// and 15 even bits.
   template <class Coder>
   DISCMC_ALWAYS_INLINE bool step(Coder& coder) {
     if (part_ == Part::count) return code_count(coder);
@@ -67,7 +67,8 @@ class FractionCode {
   }
 
  private:
-  // As in the tail of a cut packet (wire.hpp), where 1 to 3 are the edges along x, y and z.
+  // The numbers are as in the tail of a cut packet (wire.hpp), in which 1 to 3 are the edges along
+  // x, y and z.
   enum class Part : uint8_t { done = 0, edges = 1, count = 4, key_edges = 5 };
   static constexpr uint32_t eighths = 7;  // the bits of a fraction in an entry
   static constexpr int32_t none = INT32_MIN;
@@ -102,7 +103,7 @@ class FractionCode {
   DISCMC_ALWAYS_INLINE uint32_t voxels_of(const uint32_t* row) const {
     return row[word_] >> (bit_ - 1) & 7;
   }
-  // Turns to the edges along z. In a row that is not known to have one, none is found.
+  // Moves to the edges along z. In a row without such known edges, none is found.
   void begin_key_edges() {
     part_ = Part::count;
     has_key_edges_ = false;
@@ -144,30 +145,31 @@ class FractionCode {
     pass_edge();
   }
 
-  // The crossing of a parallel edge of the same cell. lower, upper: its ends, as bits of alike_. If
-  // both ends are alike, half an edge beyond the end where it would cross. Units: eighths from the
-  // lower end; or none.
+  // Returns the crossing of a parallel edge of the same cell. lower, upper: its ends, as bits of
+  // alike_. If both ends are alike, returns half an edge beyond the end towards which it would
+  // cross. Units: eighths from the lower end; or none.
   int32_t beside(uint32_t lower, uint32_t upper, uint32_t fraction) const {
     const bool is_alike = (alike_ >> upper & 1) != 0;
     if (((alike_ >> lower ^ alike_ >> upper) & 1) == 0) return is_alike ? -4 : 12;
     fraction &= eighths;
     return is_alike && fraction != 0 ? static_cast<int32_t>(fraction) : none;
   }
-  // The crossing of a plane through three others. The third is opposite to this edge.
+  // Returns the crossing of a plane through three other crossings. The third is opposite to this
+  // edge.
   static int32_t plane(int32_t first, int32_t second, int32_t opposite) {
     if (first == none) return second;
     if (second == none) return first;
     return opposite == none ? (first + second) >> 1 : first + second - opposite;
   }
-  // The same in thirds from the end that is off.
+  // Converts a crossing to thirds from the end that is off.
   DISCMC_ALWAYS_INLINE uint32_t line_context(int32_t crossing) const {
     if (crossing == none) return 0;
     if (!is_on_) crossing = 8 - crossing;
     if (crossing < -1) return 1;
     return crossing > 9 ? 6 : 1 + (static_cast<uint32_t>(3 * (crossing + 4)) >> 3);
   }
-  // The mean distance of crossings from their common end in thirds of the edge, or 0 for none.
-  // fractions: four of them, counted towards that end.
+  // Returns the mean distance of crossings from their common end, in thirds of the edge, or 0 for
+  // none. fractions: four of them, counted towards that end.
   static uint32_t end_context(uint32_t fractions) {
     if (fractions == 0) return 0;
     constexpr uint32_t ones = 0x249;  // a bit per fraction
@@ -177,7 +179,7 @@ class FractionCode {
         (fractions & 7) + (fractions >> 3 & 7) + (fractions >> 6 & 7) + (fractions >> 9);
     return 1U + (3 * sum <= 16 * count ? 1U : 0U) + (3 * sum <= 8 * count ? 1U : 0U);
   }
-  // The edge beside at x + 1, by its voxels alone. lower: as of beside().
+  // Returns a context from the voxels of the edge beside at x + 1. lower: as for beside().
   DISCMC_ALWAYS_INLINE uint32_t forward_context(uint32_t lower) const {
     const bool upper_is_alike = (alike_ >> 2 & 1) != 0;
     const bool lower_is_alike = (alike_ >> lower & 1) != 0;
@@ -218,8 +220,7 @@ class FractionCode {
     return ((line_context(crossing) * off_ends + off_end) * on_ends + on_end) * forwards + forward;
   }
 
-  // Codes a one or the zero of the width of the number, and after the zero its bits below the
-  // highest.
+  // Codes the width of the number, as ones and a zero, and then its bits below the highest.
   template <class Coder>
   DISCMC_ALWAYS_INLINE bool code_count(Coder& coder) {
     const uint32_t known_width = bit_width(count_);
@@ -251,19 +252,19 @@ class FractionCode {
   FractionRow row_;
   FractionModel* model_ = nullptr;
   const uint32_t* key_below_ = nullptr;  // FractionRow::below of edges along z into a key slice
-  uint32_t voxels_ = 0;                  // of the word, those after the next edge's
+  uint32_t voxels_ = 0;                  // of the word, after the next edge's voxel
   uint32_t word_ = 0;
-  uint32_t axes_ = 0;   // a bit for each edge of this voxel that is not coded yet
+  uint32_t axes_ = 0;   // a bit per edge of this voxel that is not coded yet
   uint32_t left_ = 0;   // edges along z into a key slice; before their number, its ones so far
-  uint32_t count_ = 0;  // their number
-  uint16_t known_ = 0;  // the bits of entries on which contexts depend
-  // Voxels that equal this one, a bit each: x - 1, x and x + 1 of four rows. Bits 0 to 2 are those
-  // of row_.here, 3 to 5 of row_.behind, 6 to 8 of row_.below, 9 to 11 of row_.below_behind.
+  uint32_t count_ = 0;  // number of these edges
+  uint16_t known_ = 0;  // bits of entries on which contexts depend
+  // Voxels that equal this one, a bit each: x - 1, x and x + 1 of four rows. Bits 0 to 2 belong to
+  // row_.here, 3 to 5 to row_.behind, 6 to 8 to row_.below, 9 to 11 to row_.below_behind.
   uint16_t alike_ = 0;
-  uint8_t bit_ = 0;   // of the next edge's voxel
-  uint8_t last_ = 0;  // the fraction of the one before
+  uint8_t bit_ = 0;   // index of the next edge's voxel
+  uint8_t last_ = 0;  // previous fraction
   Part part_ = Part::done;
-  bool is_on_ = false;  // this voxel
+  bool is_on_ = false;  // whether this voxel is on
   bool has_key_edges_ = false;
   bool knows_key_edges_ = false;
   bool has_key_fractions_ = false;

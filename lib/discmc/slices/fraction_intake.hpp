@@ -1,8 +1,8 @@
 // Finds the fractions of a row while its samples arrive.
 //
-// The fraction of an edge follows from the distances of its two samples to the threshold. The
-// sample of the row before is kept. A sample of the slice before takes half a byte: the bit width
-// of its distance. The middle of that range replaces the distance.
+// The fraction of an edge follows from the distances of its two samples to the threshold. Samples
+// of the previous row are kept. For the previous slice, only the bit width of each distance is
+// kept, in half a byte. The middle of the width's range replaces the distance.
 #ifndef DISCMC_SLICES_FRACTION_INTAKE_HPP
 #define DISCMC_SLICES_FRACTION_INTAKE_HPP
 
@@ -11,15 +11,15 @@
 
 namespace discmc::detail::slices {
 
-/// The arriving row of one surface, and what is kept of the samples before it.
+/// The arriving row of one surface, and the kept samples before it.
 template <class Sample>
 class FractionIntake {
  public:
-  /// The bytes that a row of distances takes.
+  /// Returns the bytes of a row of distances.
   static constexpr uint32_t distance_bytes(uint32_t width) { return (width + 1) / 2; }
 
-  /// samples: row y - 1 from the column of the arriving samples on, before it this row.
-  /// distances: distance_bytes() of this row in the slice before.
+  /// samples: row y - 1 from the column of the arriving samples on, and this row before it.
+  /// distances: distance_bytes() of this row in the previous slice.
   FractionIntake(int32_t threshold, uint32_t levels, const Sample* samples, uint8_t* distances)
       : threshold_(threshold < min_sample            ? min_sample
                    : threshold > min_sample + extent ? min_sample + extent
@@ -29,8 +29,8 @@ class FractionIntake {
         samples_(samples),
         distances_(distances) {}
 
-  /// Finds the fractions whose upper end is among these samples. Limit: the bits of the samples are
-  /// in the row.
+  /// Finds the fractions of edges whose upper end is among these samples. Limit: the row has the
+  /// bits of the samples.
   void find(const FractionRow& row, const Sample* samples, uint32_t column, uint32_t count,
             uint32_t stride) {
     if (row.is_off()) return;
@@ -65,7 +65,7 @@ class FractionIntake {
     }
   }
 
-  /// Keeps samples of this row.
+  /// Keeps the samples of this row.
   static void keep(const Sample* samples, uint32_t count, uint32_t stride, Sample* kept) {
     if (stride == 1 && are_words(samples) && are_words(kept)) {
       for (; count >= per_four_words; count -= per_four_words) {
@@ -78,7 +78,8 @@ class FractionIntake {
   }
   /// Keeps the bit widths of the distances of kept samples, at most 15.
   void keep_distances(uint32_t column, uint32_t count) {
-    // The width of the lowest sample there is, and the samples that have it: most of most scans.
+    // Finds samples with the width of the type's lowest sample, which most samples of most scans
+    // have.
     const uint32_t far_width = width_of(min_sample, doubled_);
     const trace::Threshold<Sample> far(threshold_ - (int32_t{1} << far_width >> 1));
     while (count > 0) {
@@ -105,17 +106,17 @@ class FractionIntake {
     return reinterpret_cast<uintptr_t>(samples) % alignof(FourWords) == 0;
   }
 
-  // The distance to threshold - 1/2. Units: halves. doubled: twice the threshold, less one.
+  // Returns the distance to threshold - 1/2. Units: halves. doubled: twice the threshold, less one.
   DISCMC_ALWAYS_INLINE static uint32_t distance_of(Sample sample, uint32_t doubled) {
     const uint32_t difference = 2 * static_cast<uint32_t>(int32_t{sample}) - doubled;
     return (difference ^ (0U - (difference >> 31))) | 1;
   }
-  // The bit width of the distance without its half.
+  // Returns the bit width of the distance without its half.
   DISCMC_ALWAYS_INLINE static uint32_t width_of(Sample sample, uint32_t doubled) {
     const uint32_t width = bit_width_of_nonzero(distance_of(sample, doubled)) - 1;
     return sizeof(Sample) == 1 ? width : limited(width);
   }
-  // At most 15. Limit: at most 16.
+  // Limits a width to 15. Limit: at most 16.
   static uint32_t limited(uint32_t width) { return width - (width >> 4); }
 
   void keep_width(uint32_t column) {
@@ -140,7 +141,7 @@ class FractionIntake {
       sample += 2;
     } while (pair != last);
   }
-  // The width of a whole block.
+  // Stores one width for a whole block.
   void fill_widths(uint32_t column, uint32_t width) {
     uint8_t* const pair = distances_ + column / 2;
     DISCMC_UNROLL(8)
@@ -152,10 +153,10 @@ class FractionIntake {
     return width == 0 ? 1 : uint32_t{3} << (width - 1);
   }
 
-  // Which part of the edge contains the crossing. Units: eighths from the lower end.
+  // Returns the part of the edge that contains the crossing. Units: eighths from the lower end.
   uint32_t fraction(uint32_t lower, uint32_t upper, bool upper_is_on) const {
     const uint32_t whole = lower + upper;
-    uint32_t rest = 2 * (upper_is_on ? lower : upper);  // of the end that is off
+    uint32_t rest = 2 * (upper_is_on ? lower : upper);  // distance of the end that is off
     uint32_t eighths = levels_ == 2 ? 2 : 1;
     if (rest >= whole) {
       eighths += 4;

@@ -1,6 +1,6 @@
-// The learnt model of fractions: in which part of its edge the surface crosses.
-// A fraction is a decision per bit, the higher first. Each context has a tree of them. For 2 levels
-// it is the higher bit alone; for 4 also the lower bit, after a 0 and after a 1.
+// The learnt model of fractions: the part of an edge in which the surface crosses it. Each bit of a
+// fraction is a decision, the higher bit first. Each context has a tree of decisions. A tree of 2
+// levels has only the higher bit. A tree of 4 also has the lower bit, after a 0 and after a 1.
 #ifndef DISCMC_SLICES_FRACTION_MODEL_HPP
 #define DISCMC_SLICES_FRACTION_MODEL_HPP
 
@@ -14,21 +14,21 @@ namespace fraction_context {
 // The trees of edges: see FractionCode::context_of().
 constexpr uint32_t lines = 7, off_ends = 4, on_ends = 4, forwards = 4;
 constexpr uint32_t edges = lines * off_ends * on_ends * forwards;
-// The trees of edges along z into a key slice, by the fraction before in the row: 0 for none, or up
-// to 7.
+// The trees of edges along z into a key slice, by the previous fraction in the row: 0 for none, or
+// up to 7.
 constexpr uint32_t key_edge = edges;
 constexpr uint32_t trees = key_edge + 5;
-// The bit width of the number of these edges in a row, as that many ones and a zero.
+// The bit width of the number of these edges in a row, coded as that many ones and a zero.
 constexpr uint32_t count_widths = 16;
 
 }  // namespace fraction_context
 
-/// A learnt probability that is quick at first: each context has few fractions in a slice. Units:
-/// 8,192nds, in the upper 13 bits. The lower 3 bits count its decisions, up to 7.
+/// A learnt probability that adapts fast at first, because each context has few fractions per
+/// slice. Units: 8,192nds, in the upper 13 bits. The lower 3 bits count its decisions, up to 7.
 class FractionProbability {
  public:
   constexpr operator LearntProbability() const { return LearntProbability(of_one_); }
-  /// Adapts to a bit: by half of the way to its certainty at first, later by a 32nd.
+  /// Adapts to a bit: by half of the way to certainty at first, later by a 32nd.
   constexpr void learn(bool bit) {
     constexpr uint32_t max_count = 7;
     const uint32_t count = of_one_ & max_count;
@@ -61,7 +61,7 @@ class FractionModel {
     for (uint32_t i = 0; i < count(levels_); ++i) of_[i] = FractionProbability();
   }
 
-  /// The bits of a fraction, 1 or 2.
+  /// Returns the number of bits of a fraction, 1 or 2.
   uint32_t bits() const { return levels_ / 2; }
   FractionProbability* width(uint32_t ones) { return of_ + ones; }
   FractionProbability* tree(uint32_t context) {

@@ -1,4 +1,5 @@
-// The fractions of the slice before as contexts: those along x and y, in the order of the stream.
+// A queue of the previous slice's fractions, used as contexts: along x and y, in the order of the
+// stream.
 #ifndef DISCMC_SLICES_FRACTION_QUEUE_HPP
 #define DISCMC_SLICES_FRACTION_QUEUE_HPP
 
@@ -8,11 +9,11 @@
 
 namespace discmc::detail::slices {
 
-/// A ring of fractions, 2 bits each. It holds what is left of the slice before, and behind it this
-/// slice. A fraction that has no room is left out, and so is the rest of its slice.
+/// A ring of fractions, 2 bits each. It holds the rest of the previous slice, followed by this
+/// slice. A fraction without room is omitted, with the rest of its slice.
 class FractionQueue {
  public:
-  /// A surface crosses a slice in curves, so their edges grow as its sides.
+  /// A surface crosses a slice in curves, so the number of edges grows with the slice's extents.
   static constexpr uint32_t capacity(const Limits& limits) {
     return 8 * (limits.width + limits.height);
   }
@@ -25,19 +26,19 @@ class FractionQueue {
     lowest_bit_ = levels == 4 ? 1 : 0;
     of_ = arena.allocate<uint8_t>(capacity_ / per_byte);
   }
-  /// Before the first row.
+  /// Call it before the first row.
   void clear() {
     for (uint32_t i = 0; i < capacity_ / per_byte; ++i) of_[i] = 0;
     last_ = 0;
     begin();
   }
-  /// Begins a key slice: nothing is left of the slice before.
+  /// Begins a key slice, which ignores the previous slice.
   void begin() {
     first_ = last_;
     before_ = now_ = 0;
     is_full_ = false;
   }
-  /// Ends a slice, all of whose rows were taken from the slice before.
+  /// Ends a slice. Limit: all fractions of the previous slice were removed.
   void next_slice() {
     DISCMC_LIMIT(before_ == 0);
     before_ = now_;
@@ -46,7 +47,7 @@ class FractionQueue {
   }
 
   bool has_next() const { return before_ > 0; }
-  /// Takes the next fraction of the slice before. 0: it was left out.
+  /// Removes the next fraction of the previous slice, or returns 0 if it was omitted.
   uint32_t take() {
     if (before_ == 0) return 0;
     --before_;
@@ -71,12 +72,12 @@ class FractionQueue {
 
   uint8_t* of_ = nullptr;
   uint32_t capacity_ = 0;
-  uint32_t first_ = 0;   // the next to take
-  uint32_t last_ = 0;    // the place of the next to put
-  uint32_t before_ = 0;  // how many are left of the slice before
-  uint32_t now_ = 0;     // how many are of this slice
+  uint32_t first_ = 0;   // next to remove
+  uint32_t last_ = 0;    // place of the next to append
+  uint32_t before_ = 0;  // number left of the previous slice
+  uint32_t now_ = 0;     // number of this slice
   bool is_full_ = false;
-  uint8_t lowest_bit_ = 0;  // of every fraction
+  uint8_t lowest_bit_ = 0;  // of each fraction
 };
 
 }  // namespace discmc::detail::slices

@@ -24,7 +24,7 @@ Status FractionSliceEncoder<Sample>::start(const SliceEncoderConfig& config, Mem
   return status;
 }
 
-// The memory behind that of the SliceEncoder. False if the arrays do not fit.
+// Allocates memory behind that of the SliceEncoder. Returns false if the arrays do not fit.
 template <class Sample>
 bool FractionSliceEncoder<Sample>::lay_out_fractions(Memory memory) {
   const StreamHeader& header = packets_.header();
@@ -59,7 +59,7 @@ PushResult FractionSliceEncoder<Sample>::push(const Sample* samples, uint32_t co
   });
 }
 
-// Finds the fractions of the samples that were appended from this column on.
+// Finds the fractions of the samples appended from this column on.
 template <class Sample>
 void FractionSliceEncoder<Sample>::process(const Sample* samples, uint32_t first, uint32_t count,
                                            uint32_t stride) {
@@ -67,13 +67,13 @@ void FractionSliceEncoder<Sample>::process(const Sample* samples, uint32_t first
     if (first == 0) fractions_.begin_row(surfaces_[surface].rows, surface);
     intake(surface).find(around(surface), samples, first, count, stride);
   }
-  // All surfaces have read the samples of the row before.
+  // By now all surfaces have read the samples of the previous row.
   Intake::keep(samples, count, stride, samples_ + first);
   for (uint32_t surface = 0; surface < surfaces_.count(); ++surface)
     intake(surface).keep_distances(first, count);
 }
 
-// Codes the fractions of a row of one surface. False if the output is busy.
+// Codes the fractions of a row of one surface. Returns false if the output is busy.
 template <class Sample>
 bool FractionSliceEncoder<Sample>::code_row() {
   if (!is_begun_) begin_code();
@@ -86,7 +86,7 @@ bool FractionSliceEncoder<Sample>::code_row() {
   return true;
 }
 
-// Meanwhile a cut is at this place of the row.
+// A cut at this time is at this position of the row.
 template <class Sample>
 bool FractionSliceEncoder<Sample>::make_room_for_fraction() {
   const uint32_t part = code_.part();

@@ -1,4 +1,4 @@
-// The fractions of both ends of a stream of slices: of the arriving row and of the row before it.
+// The fractions of the arriving row and of the previous row, for encoders and decoders of slices.
 #ifndef DISCMC_SLICES_FRACTIONS_HPP
 #define DISCMC_SLICES_FRACTIONS_HPP
 
@@ -10,39 +10,39 @@
 
 namespace discmc::detail::slices {
 
-/// The fractions of a voxel: its own as in fraction_of(), and above them those along x and y of the
-/// voxel in the slice before.
+/// The fractions of a voxel, as in fraction_of(). The higher bits are the fractions along x and y
+/// of the voxel in the previous slice.
 struct FractionEntry {
   static constexpr uint32_t along_x_and_y = 0x3F, own = 0x1FF, all = 0x7FFF;
-  static constexpr uint32_t below = 9;  // their place
+  static constexpr uint32_t below = 9;  // position of these higher bits
 };
 
-/// A row of voxels, its fractions and what surrounds it. Owner: Surfaces and Fractions.
+/// A row of voxels, its fractions and its surroundings. Owner: Surfaces and Fractions.
 struct FractionRow {
   const uint32_t* here;
   const uint32_t* behind;        ///< row y - 1
   const uint32_t* below;         ///< row y of the slice before
   const uint32_t* below_behind;  ///< row y - 1 of the slice before
-  uint16_t* now;                 ///< an entry per voxel, see FractionEntry
-  const uint16_t* before;        ///< of row y - 1
-  FractionQueue* queue;          ///< for the slice after
+  uint16_t* now;                 ///< one entry per voxel, see FractionEntry
+  const uint16_t* before;        ///< entries of row y - 1
+  FractionQueue* queue;          ///< for the next slice
   bool* is_any;                  ///< whether the row has a fraction
   uint32_t width;
   uint16_t words;
-  uint8_t crosses;  ///< a bit each: whether the edges along x, y and z have fractions
+  uint8_t crosses;  ///< bit per axis: whether edges along it have fractions
 
-  /// Whether no edge crosses, as the three rows are off. Limit: the rows are an encoder's, whose
-  /// first bit is set if a voxel is on.
+  /// Whether no edge crosses, because the three rows are off. Limit: an encoder's rows, whose first
+  /// bit is set if a voxel is on.
   bool is_off() const { return ((here[0] | behind[0] | below[0]) & 1) == 0; }
-  /// Whether find() finds nothing in a word: most words are level.
+  /// Whether find() finds nothing in a word, as in most words.
   DISCMC_ALWAYS_INLINE bool is_level(uint32_t word) const {
     const uint32_t on = here[word];
     const uint32_t along = (on ^ on << 1) | (on ^ behind[word]) | (on ^ below[word]);
     return (along & trace::own_columns) == 0;
   }
-  /// Finds the voxels of a word with an edge that has a fraction.
+  /// Returns the voxels of a word with an edge that has a fraction.
   uint32_t find(uint32_t word) const { return along_x(word) | along_y(word) | along_z(word); }
-  /// Columns with such an edge along an axis.
+  /// Return the columns with such an edge along an axis.
   uint32_t along_x(uint32_t word) const {
     return (here[word] ^ here[word] << 1) & columns_along_x(word) & mask(0);
   }
@@ -54,9 +54,9 @@ struct FractionRow {
   }
 
  private:
-  // All bits if the edges along an axis have fractions, else none.
+  // Returns all bits if the edges along an axis have fractions, otherwise 0.
   uint32_t mask(uint32_t axis) const { return 0 - (crosses >> axis & 1); }
-  // The columns of a word whose voxel, and the voxel before it, lie in the volume.
+  // Returns the columns of a word whose voxel and previous voxel lie in the volume.
   uint32_t columns_along_x(uint32_t word) const {
     uint32_t columns = word == 0 ? trace::own_columns - 6 : trace::own_columns;
     if (word + 1 == words) columns &= (uint32_t{4} << (width - word * trace::columns_per_word)) - 1;
@@ -83,7 +83,7 @@ class Fractions {
     }
     has_samples_ = arena.allocate<uint32_t>(flag_words(height_));
   }
-  /// Before the first row, and after a loss.
+  /// Call it before the first row, and after a loss.
   void clear() {
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
       of_[surface].queue.clear();
@@ -103,14 +103,15 @@ class Fractions {
   }
   FractionModel& model(uint32_t surface) { return of_[surface].model; }
 
-  /// Begins the arriving row, with the fractions of the slice before.
+  /// Begins the arriving row, with the fractions of the previous slice.
   void begin_row(const detail::trace::BitRows& rows, uint32_t surface) {
     clear_row(surface, is_odd_);
     if (of_[surface].queue.has_next()) take_row(rows, surface);
   }
   /// Whether the arriving row has a fraction.
   bool is_any(uint32_t surface) const { return of_[surface].is_any[is_odd_ ? 1 : 0]; }
-  /// What is around the arriving row. has_slice_before: whether its edges along z may cross.
+  /// Returns the arriving row and its surroundings. has_slice_before: whether its edges along z may
+  /// cross.
   FractionRow around(const detail::trace::BitRows& rows, uint32_t surface, bool has_slice_before) {
     const uint32_t y = rows.rows();
     FractionRow row;
@@ -130,10 +131,10 @@ class Fractions {
     row.is_any = &of_[surface].is_any[is_odd_ ? 1 : 0];
     return row;
   }
-  /// The entries of the arriving row.
+  /// Returns the entries of the arriving row.
   const uint16_t* now(uint32_t surface) { return of(surface, is_odd_) + 1; }
 
-  /// Completes the arriving row of all surfaces. has_samples: it was not skipped.
+  /// Completes the arriving row of all surfaces. has_samples: whether it was not skipped.
   DISCMC_ALWAYS_INLINE void next_row(uint32_t y, bool has_samples) {
     const uint32_t bit = uint32_t{1} << y % 32;
     had_samples_behind_ = this->has_samples(y);
@@ -142,12 +143,12 @@ class Fractions {
     if (y + 1 < height_) return;
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
       of_[surface].queue.next_slice();
-      clear_row(surface, !is_odd_);  // the first row of a slice has none before it
+      clear_row(surface, !is_odd_);  // the first row of a slice has no row before it
     }
   }
 
  private:
-  // Two words, which are cleared at once.
+  // Two words, cleared at once.
   struct alignas(Arena::alignment) FourEntries {
     uint16_t of[4];
   };
@@ -155,11 +156,11 @@ class Fractions {
     FourEntries* entries = nullptr;
     FractionModel model;
     FractionQueue queue;
-    bool is_any[2] = {};    // fraction in each row
-    bool is_clear[2] = {};  // whether no entry of the row has any bit
+    bool is_any[2] = {};    // whether each row has a fraction
+    bool is_clear[2] = {};  // whether all entries of each row are 0
   };
 
-  // Groups of four of a row, with one more entry on either side.
+  // Returns the groups of four in a row, with one more entry on either side.
   static constexpr uint32_t fours(uint32_t width) { return (width + 5) / 4; }
   static constexpr uint32_t flag_words(uint32_t height) { return (height + 31) / 32; }
   void clear_row(uint32_t surface, bool is_odd) {
@@ -174,7 +175,7 @@ class Fractions {
     do *entry++ = {};
     while (entry != end);
   }
-  // Takes the fractions of this row of the slice before from the queue.
+  // Removes this row's fractions of the previous slice from the queue.
   DISCMC_ALWAYS_INLINE void take_row(const detail::trace::BitRows& rows, uint32_t surface) {
     const uint32_t y = rows.rows();
     FractionRow row;
@@ -209,8 +210,8 @@ class Fractions {
   uint32_t surface_count_ = 0;
   uint32_t width_ = 0;
   uint32_t height_ = 0;
-  uint32_t* has_samples_ = nullptr;  // a bit per row: the row that arrived last at this place
-  bool had_samples_behind_ = false;  // the row behind, in the slice before
+  uint32_t* has_samples_ = nullptr;  // a bit per row: the last row at this place has samples
+  bool had_samples_behind_ = false;  // of the row behind, in the previous slice
   bool is_odd_ = false;
 };
 

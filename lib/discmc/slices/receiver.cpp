@@ -17,7 +17,7 @@ Decoded Receiver::push(const uint8_t* bytes, size_t count) {
       is_over_ = status == Status::ok;
       return {is_over_ ? Status::finished : status, taken};
     }
-    // One frame at a time: the next may be of another scan.
+    // Processes one frame at a time, because the next may belong to another scan.
     size_t end = taken;
     while (end < count && bytes[end++] != 0) continue;
     const Decoded decoded = decoder_.push(bytes + taken, end - taken);

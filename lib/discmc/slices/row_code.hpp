@@ -18,7 +18,7 @@ struct RowsBefore {
   const uint32_t* first;    ///< 8: this row of the first surface; null for the first surface itself
 };
 
-/// The neighbours of the arriving row. first: as in RowsBefore.
+/// Returns the neighbours of the arriving row. first: as in RowsBefore.
 inline RowsBefore rows_before(const detail::trace::BitRows& rows, uint32_t height, SliceKind kind,
                               const uint32_t* first = nullptr) {
   const auto row = [&rows](bool is_there, uint32_t back) {
@@ -30,7 +30,7 @@ inline RowsBefore rows_before(const detail::trace::BitRows& rows, uint32_t heigh
           row(is_key ? y >= 3 : y + 1 < height, is_key ? 3 : height - 1),
           row(y >= 1, is_key ? 1 : height + 1), first};
 }
-/// The number of rows to keep for these neighbours, with the arriving row.
+/// Returns the number of rows to keep for these neighbours, including the arriving row.
 constexpr uint32_t rows_kept(uint32_t height, bool all_are_key) {
   const uint32_t of_slice = height + 2;
   return all_are_key || of_slice < 4 ? 4 : of_slice;
@@ -62,13 +62,13 @@ class RowCode {
     level_end_ = width;
   }
   bool is_done() const { return left_ == 0; }
-  /// The number of voxels that are not coded yet.
+  /// Returns the number of voxels that are not coded yet.
   uint32_t left() const { return left_; }
-  /// While the fractions are coded: what is left of them, for a cut.
+  /// Sets the number of fractions left, for a cut while fractions are coded.
   void set_left(uint32_t left) { left_ = left; }
 
-  /// Codes the next voxel or run. False if the bits that were read are from no encoder. Limit: not
-  /// is_done(). Cost: 1 decision; for a run that ends early, about 10.
+  /// Codes the next voxel or run. Returns false if no encoder wrote the bits. Limit: not is_done().
+  /// Cost: 1 decision; for a run that ends early, about 10.
   template <class Coder>
   bool step(Coder& coder, SliceModel& model) {
     DISCMC_LIMIT(!is_done());
@@ -98,10 +98,10 @@ class RowCode {
   }
 
  private:
-  // Whether the next voxel differs from the one before. Meaningless while reading.
+  // Whether the next voxel differs from the previous one. Undefined while reading.
   bool differs() const { return ((row_[word_] ^ as_before_) >> bit_ & 1) != 0; }
 
-  // One bit per neighbour that differs from the voxel before.
+  // Returns one bit per neighbour that differs from the previous voxel.
   uint32_t differing_neighbours() const {
     const uint32_t nearest = before_.nearest[word_] >> (bit_ - 1) & 7;
     const uint32_t next = before_.next[word_] >> (bit_ - 1) & 7;
@@ -112,8 +112,8 @@ class RowCode {
     return differing | ((before_.first[word_] ^ as_before_) >> bit_ & 1) << 8;
   }
 
-  // The number of voxels from here on whose neighbours, except that of the first surface, all equal
-  // the voxel before. Limit: the neighbours of the next voxel do.
+  // Returns the number of voxels from here on whose neighbours, except in the first surface, all
+  // equal the previous voxel. Limit: the next voxel is one of them.
   uint32_t level_voxels() {
     DISCMC_LIMIT(differing_neighbours() % context::voxels == 0);
     // If a run has ended early, its level continues and is not computed again.
@@ -125,15 +125,15 @@ class RowCode {
       const uint32_t beside =
           (before_.nearest[word] ^ as_before_) | (before_.next[word] ^ as_before_);
       const uint32_t below = (before_.third[word] ^ as_before_) | (before_.last[word] ^ as_before_);
-      // Only the neighbour at x + 1 is new; the voxel before has the others, too.
+      // Only the neighbour at x + 1 is new; the previous voxel shares the others.
       return beside >> 1 | below;
     });
   }
-  // The number of voxels from here on that equal the voxel before, at most `most`.
+  // Returns the number of voxels from here on that equal the previous one, at most `most`.
   uint32_t same_voxels(uint32_t most) const {
     return voxels_before(most, [this](uint32_t word) { return row_[word] ^ as_before_; });
   }
-  // The number of voxels from here on before the first whose bit is set, at most `most`.
+  // Returns the number of voxels from here on before the first whose bit is set, at most `most`.
   template <class Bits>
   uint32_t voxels_before(uint32_t most, Bits bits) const {
     uint32_t passed = 0;
@@ -154,7 +154,7 @@ class RowCode {
     return context::run + 2 * (length - 1) + (level == left_ ? 1 : 0);
   }
 
-  // Writes this many voxels that equal the one before.
+  // Writes this many voxels that equal the previous one.
   DISCMC_ALWAYS_INLINE void write_equal(uint32_t voxels) {
     DISCMC_LIMIT(voxels <= left_);
     left_ -= voxels;
@@ -186,7 +186,7 @@ class RowCode {
   uint32_t left_ = 0;
   uint32_t word_ = 0;
   uint32_t bit_ = 0;        // of the next voxel
-  uint32_t as_before_ = 0;  // a word of voxels that equal the one before
+  uint32_t as_before_ = 0;  // a word of voxels that equal the previous one
   uint32_t level_end_ = 0;  // voxels left after the last computed level
 };
 

@@ -1,4 +1,4 @@
-// The coders of a row (row_code.hpp): one writes its bits, the other reads them.
+// The coders of a row (row_code.hpp): a writer and a reader of its bits.
 #ifndef DISCMC_SLICES_ROW_CODERS_HPP
 #define DISCMC_SLICES_ROW_CODERS_HPP
 
@@ -15,8 +15,8 @@ struct RowWriter {
     probability.learn(bit);
     return bit;
   }
-  /// Writes this many bits, the highest first. The first has a probability of the tree, the second
-  /// the next one after a 0, or the one behind it after a 1. Limit: 1 or 2 bits.
+  /// Writes this many bits, the highest first. The first bit has the first probability of the tree.
+  /// The second bit has the second probability after a 0, the third after a 1. Limit: 1 or 2 bits.
   template <class AnyProbability>
   DISCMC_FLATTEN uint32_t tree(AnyProbability* tree, uint32_t bits, uint32_t value) {
     AnyProbability* node = tree;

@@ -6,7 +6,7 @@ using detail::slices::RowNote;
 
 namespace {
 
-// The most that a step or a note reads. Units: bytes.
+// The most bytes that a step or a note reads.
 constexpr size_t max_of_a_step = 4;
 static_assert(max_of_a_step <= detail::wire::packet_head, "what is left has room before a payload");
 
@@ -144,7 +144,7 @@ void SliceDecoder::open_slices() {
     coder_.range.continue_in(code, bytes + rest_bytes_);
     return;
   }
-  // A code begins with a row, or where the previous code was cut. Its first packet has the bytes
+  // A code begins with a row, or at the cut of the previous code. Its first packet has the bytes
   // that a decoder reads first.
   if (row_is_begun_ != goes_on_in_row || (bytes < max_of_a_step && !code_is_over_))
     return give_up();
@@ -184,7 +184,7 @@ bool SliceDecoder::is_at_cut() const {
   return left == cut_left_ && static_cast<uint32_t>(rows) == cut_row_;
 }
 
-// Reads up to the end of a row, or of the present bytes.
+// Reads up to the end of a row, or of the available bytes.
 void SliceDecoder::read() {
   while (can_read()) {
     if (is_at_cut()) {
@@ -213,7 +213,7 @@ void SliceDecoder::read() {
   stage_ = Stage::collect;
 }
 
-// False if no encoder wrote it.
+// Returns false if no encoder wrote the row.
 bool SliceDecoder::begin_row() {
   if (surface_ == 0) {
     if (!read_note()) return false;
@@ -222,7 +222,7 @@ bool SliceDecoder::begin_row() {
     is_key_ahead_ = false;
   }
   detail::trace::BitRows& rows = surfaces_[surface_].rows;
-  if (note_ == RowNote::repeated) rows.repeat();  // else it is off
+  if (note_ == RowNote::repeated) rows.repeat();  // otherwise it stays off
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? header().width : 0);
   row_is_begun_ = true;
   fraction_code_.end();
@@ -230,7 +230,7 @@ bool SliceDecoder::begin_row() {
   return true;
 }
 
-// Reads the next voxel, run or fraction. False if no encoder wrote it.
+// Reads the next voxel, run or fraction. Returns false if no encoder wrote it.
 bool SliceDecoder::read_step() {
   if (row_.is_done()) return fraction_code_.step(coder_);
   if (!row_.step(coder_, surfaces_[surface_].model)) return false;
@@ -263,7 +263,7 @@ bool SliceDecoder::read_note() {
 
 // ---- delivery ----
 
-// Delivers all pending events. False if the sink does not accept one.
+// Delivers all pending events. Returns false if the sink does not accept one.
 bool SliceDecoder::deliver() {
   for (;;) {
     switch (stage_) {

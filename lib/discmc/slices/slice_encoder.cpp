@@ -44,7 +44,7 @@ Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
   return Status::ok;
 }
 
-// False if the arrays do not fit.
+// Returns false if the arrays do not fit.
 bool SliceEncoder::lay_out(Memory memory) {
   Arena arena(memory);
   const StreamHeader& header = packets_.header();
@@ -61,7 +61,7 @@ Status SliceEncoder::ready_for_row() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   (void)work();
-  if (row_is_due_) return Status::suspended;  // the waiting row has the place of the next one
+  if (row_is_due_) return Status::suspended;  // the waiting row occupies the next row's place
   if (slices() >= Limits::max_slices) return Status::too_many_slices;
   return Status::ok;
 }
@@ -130,11 +130,11 @@ Status SliceEncoder::write_record(const ApplicationRecord& record) {
   placed.slice = slices();
   placed.row = rows();
   packets_.seal_application(detail::wire::PacketKind::slices_application, placed);
-  (void)packets_.drain();  // the packet is accepted, even if the output is busy now
+  (void)packets_.drain();  // the packet is accepted even if the output is busy
   return Status::ok;
 }
 
-// A receiver of the new output can read from there.
+// A receiver on the new output can read from there on.
 void SliceEncoder::set_output(const ByteOutput& output) {
   packets_.set_output(output);
   if (output.write != nullptr) packets_.repeat_header(!code_is_open_);
@@ -189,7 +189,7 @@ Status SliceEncoder::restore_object(uint32_t object_bytes, Memory memory,
 
 // ---- rows ----
 
-// Does all pending work. False if the output is busy.
+// Does all pending work. Returns false if the output is busy.
 bool SliceEncoder::work() {
   if (!packets_.drain()) return false;
   if (row_is_due_ && !encode_row()) return false;
@@ -233,7 +233,7 @@ DISCMC_ALWAYS_INLINE bool SliceEncoder::encode_what_precedes() {
     if (code_is_open_ && !end_code()) return false;
     surfaces_.begin_key_slice();
     if (note_ == RowNote::repeated) {
-      note_ = RowNote::off;  // a key slice depends on nothing before it
+      note_ = RowNote::off;  // a key slice must not depend on earlier rows
       surfaces_.clear_row();
     }
   }
@@ -265,10 +265,11 @@ static_assert(detail::wire::key_slice_head + 2 * code_reserve +
                   ByteOutput::min_frame_limit,
               "a code that is not final has room to end");
 
-// Makes room in the packet for a step or a note. False if the output is busy. Limit: there is none.
+// Makes room in the packet for a step or a note. Returns false if the output is busy. Limit: there
+// is no room.
 bool SliceEncoder::make_room() {
   if (code_is_open_) {
-    // If hardly a byte is final, because a carry may change all others, the code ends.
+    // The code ends if hardly a byte is final, because a carry may change all others.
     if (coder_.range.final_bytes() < code_reserve) {
       if (!cut_code()) return false;
     } else {
@@ -300,7 +301,7 @@ bool SliceEncoder::end_code() {
   return close_code(0);
 }
 
-// Ends the code at any place.
+// Ends the code at any position.
 DISCMC_ALWAYS_INLINE bool SliceEncoder::cut_code() {
   return row_is_begun_ ? close_code(detail::wire::SliceBits::cut) : end_code();
 }
@@ -318,7 +319,7 @@ bool SliceEncoder::close_code(uint8_t bits) {
   return packets_.drain();
 }
 
-// The end of this many bytes of code in the packet.
+// Returns the end of this many bytes of code in the packet.
 uint8_t* SliceEncoder::code_end(size_t code_bytes) {
   const size_t head =
       (packet_bits_ & detail::wire::SliceBits::key) != 0 ? detail::wire::key_slice_head : 0;

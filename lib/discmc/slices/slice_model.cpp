@@ -8,7 +8,7 @@ namespace {
 // (500 and 1,150), a molecule and an MRI head (40). Units: 256ths that a bit is 1.
 // clang-format off
 constexpr uint8_t trained[2][context::count - context::run] = {
-    {  // of key slices
+    {  // for key slices
      128, 128, 230, 255, 233, 254, 236, 252, 223, 249, 224, 241, 243, 243, 192, 246, 10, 33,
      128, 128, 115, 63, 128, 128, 4, 6, 128, 128, 74, 54, 128, 128, 10, 18, 128, 128, 13, 97,
      128, 128, 10, 12, 128, 128, 25, 99, 128, 128, 3, 26, 128, 128, 64, 42, 128, 128, 19, 19,
@@ -24,7 +24,7 @@ constexpr uint8_t trained[2][context::count - context::run] = {
      128, 128, 160, 160, 128, 128, 120, 58, 128, 128, 109, 181, 128, 128, 158, 56, 128, 128,
      204, 124, 128, 128, 105, 109, 128, 128, 189, 184, 128, 128, 102, 64, 128, 128, 173, 180,
      128, 128, 34, 7, 128, 128, 93, 129},
-    {  // of slices that follow others
+    {  // for slices that follow others
      128, 128, 244, 255, 252, 255, 253, 255, 253, 255, 250, 253, 250, 255, 215, 253, 3, 1, 53,
      7, 9, 5, 49, 51, 1, 1, 130, 70, 13, 24, 95, 87, 58, 159, 148, 183, 136, 167, 193, 142,
      39, 101, 130, 125, 171, 130, 97, 98, 4, 12, 87, 100, 13, 22, 137, 181, 11, 44, 116, 124,
@@ -52,7 +52,8 @@ void SliceModel::start(Arena& arena, bool is_further) {
   of_ = arena.allocate<LearntProbability>(count_);
 }
 
-// Nothing was trained for a first surface that differs: those contexts begin as if it did not.
+// Voxels of a first surface that differs were not in the training: those contexts begin like the
+// others.
 void SliceModel::begin(SliceKind kind) {
   const uint8_t* const at_first = trained[kind == SliceKind::key ? 0 : 1];
   of_[context::note] = note_at_first;

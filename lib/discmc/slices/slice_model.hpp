@@ -1,13 +1,13 @@
-// The learnt model of slices: how likely a voxel differs from the one before it. The neighbours
-// that are coded before a voxel are compared with the voxel before it in its row, so on and off are
-// alike. They are in the row before and in the slice before. In a key slice, which decodes alone,
-// they are in the three rows before:
+// The learnt model of slices: the probability that a voxel differs from the previous one. The
+// neighbours coded before a voxel are compared with the previous voxel of its row, so on and off
+// are alike. Neighbours are in the previous row and in the previous slice. In a key slice, which
+// decodes alone, they are in the three previous rows:
 //
 //     slice before   . 7 .        row before     0 1 2       key slice   . 6 .
 //                    3 4 5        this row       = ?                     3 4 5
 //                    . 6 .                                               0 1 2    and 7 is 1
 //                                                                        = ?
-// A further surface of a stream also has the voxel of the first surface as neighbour 8: with close
+// A further surface of a stream also has the voxel of the first surface as neighbour 8. With close
 // thresholds the two are nearly equal.
 #ifndef DISCMC_SLICES_SLICE_MODEL_HPP
 #define DISCMC_SLICES_SLICE_MODEL_HPP
@@ -23,7 +23,7 @@ enum class SliceKind : uint8_t { key, follows };
 namespace context {
 
 constexpr uint32_t note = 0;
-constexpr uint32_t run = 1;  // by its length, and by whether it reaches the end of the row
+constexpr uint32_t run = 1;  // by length, and by whether it reaches the end of the row
 constexpr uint32_t run_lengths = 8;
 // By the neighbours that differ from the voxel before, one bit each. A further surface has one more
 // neighbour: the voxel of the first surface at the same place.

@@ -4,7 +4,7 @@ namespace discmc {
 
 namespace {
 
-// Whether the row has to be offered again. A row beyond the last possible slice is never accepted.
+// Whether the row must be offered again. A row beyond the last possible slice is never accepted.
 bool is_refused(PushResult row) {
   return row.status == Status::suspended && row.samples == 0;
 }
@@ -23,7 +23,7 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   const RowSink rows{this, [](void* context, const RowEvent& event) {
                        return static_cast<SurfaceDecoder*>(context)->accept(event);
                      }};
-  return slices_.start({}, rows, channel);  // its memory follows when the header has arrived
+  return slices_.start({}, rows, channel);  // its memory follows after the header
 }
 
 Decoded SurfaceDecoder::push(const uint8_t* bytes, size_t count) {
@@ -55,7 +55,7 @@ void SurfaceDecoder::note_kind() {
   if (is_of_slices_) refusal_ = begin_sweep();
 }
 
-// Both decoders read the packet that the active one holds, which restarts last.
+// Both decoders read the packet that the active one holds. The active one restarts last.
 void SurfaceDecoder::start_next() {
   skipped_rows_ = 0;
   refusal_ = Status::ok;
@@ -96,7 +96,7 @@ Status SurfaceDecoder::give_memory(Memory memory) {
 }
 
 Status SurfaceDecoder::finish() {
-  const Status of_slices = slices_.finish();  // before a header both decoders read
+  const Status of_slices = slices_.finish();  // before a header, both decoders read
   if (!is_of_slices_) return regions_.finish();
   return of_slices == Status::ok ? extractor_.resume() : of_slices;  // if the stream had no trailer
 }

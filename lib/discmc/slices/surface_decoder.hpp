@@ -1,5 +1,5 @@
-// The room of a Receiver that decodes one stream of either kind, and sends the events of one of its
-// surfaces. A stream of slices goes through an extractor.
+// Decodes one stream of either kind for a Receiver, and sends the events of one of its surfaces. A
+// stream of slices passes an extractor.
 #ifndef DISCMC_SLICES_SURFACE_DECODER_HPP
 #define DISCMC_SLICES_SURFACE_DECODER_HPP
 
@@ -61,10 +61,10 @@ class SurfaceDecoder {
   Decoder regions_;
   SliceDecoder slices_;
   Extractor32 extractor_;
-  Status refusal_ = Status::ok;  // of a stream of slices
-  bool is_known_ = false;        // the kind of the stream
+  Status refusal_ = Status::ok;  // for a stream of slices
+  bool is_known_ = false;        // whether the kind of the stream is known
   bool is_of_slices_ = false;
-  uint64_t skipped_rows_ = 0;  // of the rows lost together
+  uint64_t skipped_rows_ = 0;  // of consecutive lost rows
 };
 
 }  // namespace discmc

@@ -43,8 +43,8 @@ class Surfaces {
     kind_ = SliceKind::key;
     begin_models();
   }
-  /// Begins a slice that follows another, after its first note. What a key slice has learnt does
-  /// not continue.
+  /// Begins a slice that follows another, after its first note. It does not continue the
+  /// probabilities of a key slice.
   void begin_following_slice() {
     if (kind_ == SliceKind::follows) return;
     kind_ = SliceKind::follows;

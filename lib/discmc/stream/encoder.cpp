@@ -51,7 +51,7 @@ DISCMC_ALWAYS_INLINE SinkResult Encoder::begin_stream(const StreamHeader& scan) 
     for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = scan.spacing_nm[axis];
   packets_.begin_stream(0);
   state_ = State::between;
-  (void)drain();  // sent now if the output accepts it, otherwise later
+  (void)drain();  // if the output is busy, a later call sends it
   return SinkResult::accepted;
 }
 
@@ -112,7 +112,7 @@ DISCMC_ALWAYS_INLINE Status Encoder::put_application(const ApplicationRecord& re
   const Status status = ready_for_packet(record.count <= ApplicationRecord::max_bytes);
   if (status != Status::ok) return status;
   packets_.seal_application(detail::wire::PacketKind::application, record);
-  (void)drain();  // it is taken, whenever the output takes it
+  (void)drain();  // the packet is accepted even if the output is busy
   return Status::ok;
 }
 
@@ -126,7 +126,7 @@ Status Encoder::append(const RecordsPacket& packet) {
   const Status status = ready_for_packet(packet.bytes <= max_bytes && packet.pieces <= 0xFFFF);
   if (status != Status::ok) return status;
   packets_.seal_appended(packet);
-  (void)drain();  // it is taken, whenever the output takes it
+  (void)drain();  // the packet is accepted even if the output is busy
   return Status::ok;
 }
 
@@ -161,7 +161,7 @@ Status Encoder::restore(const ByteOutput& output) {
   }
   packets_.resume(output);
   model_.coder().range.move_to(packets_.payload());
-  write_normals_ = nullptr;  // code may lie elsewhere now
+  write_normals_ = nullptr;  // the code may be at another address now
   return Status::ok;
 }
 

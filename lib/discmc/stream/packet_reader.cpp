@@ -83,7 +83,7 @@ PacketReader::Completed PacketReader::add(uint8_t byte) {
   }
   const size_t bytes = frame_bytes_;
   frame_bytes_ = 0;
-  return bytes == 0 ? Completed::nothing : open_frame(bytes);  // a spare delimiter is no frame
+  return bytes == 0 ? Completed::nothing : open_frame(bytes);  // an extra delimiter is not a frame
 }
 
 void PacketReader::finish() {
@@ -124,7 +124,7 @@ PacketReader::Completed PacketReader::open_packet(size_t bytes) {
   payload_bytes_ = checked - packet_tag - packet_head;
   const PacketKind kind = static_cast<PacketKind>(packet[0]);
   const auto tag = static_cast<uint32_t>(ByteReader(packet + checked - packet_tag, 3).get(3));
-  // A stream that begins is no repetition, even if it has the number of the scan before.
+  // A packet that begins a stream is no repetition, even if it has the previous scan's number.
   if (kind == PacketKind::header && begins_stream(payload(), payload_bytes_))
     has_ended_tag_ = has_ended_tag_ && tag != ended_tag_;
   if (!adopt(tag)) {
@@ -180,7 +180,7 @@ bool PacketReader::adopt(uint32_t tag) {
   return has_tag_ && tag == tag_;
 }
 
-// Whether a packet is of this channel, and not of the scan before.
+// Whether a packet is of this channel, and not of the previous scan.
 bool PacketReader::is_on_channel(uint32_t tag) const {
   if (has_ended_tag_ && tag == ended_tag_) return false;
   if (channel_ == any_channel && !has_tag_) return true;
@@ -203,7 +203,7 @@ bool PacketReader::accept_number(const uint8_t* packet) {
     ++report_.repeated_packets;
     return false;
   }
-  note_gap(gap, is_trailer ? 0 : pieces);  // a trailer has the number of all pieces
+  note_gap(gap, is_trailer ? 0 : pieces);  // a trailer counts all pieces
   return true;
 }
 
@@ -268,14 +268,14 @@ bool PacketReader::read_header() {
   return true;
 }
 
-// The beginning of both kinds of trailer.
+// Reads the beginning of both kinds of trailer.
 void PacketReader::note_end(detail::wire::ByteReader& reader) {
   report_.has_trailer = true;
   report_.slices = static_cast<uint32_t>(reader.get(4));
   report_.is_abandoned = reader.get(1) != 0;
 }
 
-// The digest has no meaning if packets are missing.
+// The digest is meaningless if packets are missing.
 void PacketReader::compare_digest(uint32_t expected) {
   report_.is_mixed = report_.lost_packets == 0 && expected != digest_;
 }

@@ -80,10 +80,10 @@ class PacketReader {
   bool gap_is_due_ = false;
   bool gap_is_noted_ = true;  // since the last header; packets before the start are a gap
   bool has_ended_tag_ = false;
-  uint32_t ended_tag_ = 0;      // of the scan before
+  uint32_t ended_tag_ = 0;      // of the previous scan
   uint32_t tag_ = 0;            // of the accepted packets: scan and channel
   uint32_t digest_ = 0;         // of the accepted packets
-  uint64_t pieces_passed_ = 0;  // regions and fragments sent before now, lost ones included
+  uint64_t pieces_passed_ = 0;  // regions and fragments sent so far, including lost ones
   size_t payload_bytes_ = 0;
   size_t kept_bytes_ = 0;   // of a packet of the next scan, in the frame
   size_t frame_bytes_ = 0;  // bytes beyond the size of a frame are dropped

@@ -61,7 +61,7 @@ void PacketWriter::seal_header() {
   packets_since_header_ = 0;
 }
 
-// Before the sealed header, so that the truncated frame does not damage it.
+// The delimiter precedes the sealed header, so that a truncated frame does not damage it.
 DISCMC_ALWAYS_INLINE void PacketWriter::put_delimiter() {
   for (uint16_t i = frame_bytes_++; i > 0; --i) frame_[i] = frame_[i - 1];
   frame_[0] = 0;

@@ -69,17 +69,17 @@ class PacketWriter {
   void seal_header();
   void put_delimiter();
 
-  // Small members come first: short instructions reach them there.
-  bool is_under_way_ = false;  // the stream: its header was sealed, and its trailer was not
+  // Small members come first, because short instructions reach them there.
+  bool is_under_way_ = false;  // whether its header was sealed, and its trailer was not
   uint8_t packets_since_header_ = 0;
   uint8_t flags_ = 0;
-  bool is_cut_ = false;       // a part of a frame was sent, and nothing since
+  bool is_cut_ = false;       // whether a part of a frame was sent, and nothing since
   uint16_t frame_bytes_ = 0;  // of a sealed frame; 0 while a packet is open
   uint16_t drained_ = 0;
   ByteOutput output_;
   uint32_t packets_ = 0;
   uint32_t digest_ = 0;
-  uint32_t pieces_before_ = 0;  // complete before the open packet, modulo 2^32
+  uint32_t pieces_before_ = 0;  // complete pieces before the open packet, modulo 2^32
   uint64_t pieces_ = 0;         // regions and fragments so far
   uint64_t bytes_ = 0;
   StreamHeader header_ = detail::wire::no_header();

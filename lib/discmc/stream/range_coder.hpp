@@ -44,7 +44,7 @@ class RangeEncoder {
 
   void encode(bool bit, Probability one) {
     narrow(bit, (range_ >> 8) * one);
-    if (range_ < min_range) shift();  // one shift suffices: a share is at least a 256th
+    if (range_ < min_range) shift();  // one shift suffices, because a share is at least a 256th
   }
   void encode(bool bit, LearntProbability one) {
     narrow(bit, (range_ >> 16) * one.of_one());
@@ -141,7 +141,7 @@ class RangeEncoder {
     range_ <<= 8;
   }
 
-  // In an order without padding, whose random content would be in a checkpoint.
+  // The order of members avoids padding, whose random content would be in a checkpoint.
   uint8_t carry_ = 0;
   uint8_t first_held_ = 0;
   uint16_t held_ = 0;

@@ -73,7 +73,7 @@ constexpr Incidence incidence_of(const Heading& heading, uint32_t axis) {
   return static_cast<Incidence>(low + 3 * high + 9 * heading.along);
 }
 
-/// The class of an incidence: 0 diagonal, 1 corner, 2 along an axis.
+/// Returns the class of an incidence: 0 diagonal, 1 corner, 2 along an axis.
 constexpr uint32_t class_of(Incidence incidence) {
   return direction_count(incidence) / 2U - 2;
 }
@@ -91,7 +91,7 @@ constexpr const PlaneStep* plane_steps_of(uint32_t link_class) {
   return &plane_steps[size_t{link_class} * (link_class + 3)];
 }
 
-/// The turn to the left from one direction to another.
+/// Returns the turn to the left from one direction to another.
 constexpr uint32_t turn_between(uint32_t directions, uint32_t from, uint32_t to) {
   return to - from + (to < from ? directions : 0);
 }
@@ -125,48 +125,48 @@ class RecordModel {
 
   RecordKind record_kind(RecordKind kind);
 
-  /// A layer mark's slice.
+  /// Codes the slice of a layer mark.
   uint32_t layer(uint32_t slice) { return slice_ += plain_number(slice - slice_); }
-  /// A number of up to 2^32 - 2.
+  /// Codes a number of up to 2^32 - 2.
   uint32_t plain_number(uint32_t value) { return number(rows::plain, value + 1) - 1; }
-  /// Up to 32 bits, all values equally likely.
+  /// Codes up to 32 bits, all values equally likely.
   uint32_t even(uint32_t bits, uint32_t value);
 
-  /// The start of a chain, relative to the vertex coded last. Limit: an odd coordinate sum.
+  /// Codes the start of a chain, relative to the last coded vertex. Limit: an odd coordinate sum.
   Vertex start(const Vertex& start);
-  /// The vertex coded last.
+  /// Returns the last coded vertex.
   const Vertex& last_start() const { return start_; }
-  /// The incidence, predicted from that of the previous record. A decoded one may be none.
+  /// Codes the incidence, predicted from the previous record's. A decoded one may be none.
   Incidence incidence(Incidence incidence);
 
   // ---- a ring ----
 
-  /// Three or four corners as one symbol; 0 if the ring is coded run by run. Else 1 + d0 + d1 n +
-  /// d2 n^2, with n = link_class() + 1 and di = turn i less 1.
+  /// Codes three or four corners as one symbol; 0 if the ring is coded run by run. Otherwise the
+  /// symbol is 1 + d0 + d1 n + d2 n^2, with n = link_class() + 1 and di = turn i less 1.
   uint32_t corners(uint32_t corners) { return of_class(rows::corners(link_class_), corners); }
-  /// The distance of the first direction from the first direction that leads back.
+  /// Codes the distance of the first direction from the first direction that leads back.
   uint32_t ring_direction(uint32_t from);
-  /// The first two lengths of a ring of four corners: 4 * (first - 1) + second - 1. Limit: 1 to 4
-  /// each; 4 means 4 or more.
+  /// Codes the first two lengths of a ring of four corners: 4 * (first - 1) + second - 1. Limit: 1
+  /// to 4 each; 4 means 4 or more.
   uint32_t two_lengths(uint32_t lengths) { return of_class(rows::two_lengths, lengths); }
 
   // ---- any chain ----
 
   void begin_chain(Direction first) { direction_ = first; }
-  /// The first direction of a fragment or a part, or the direction on the other side of the vertex
-  /// where it was cut.
+  /// Codes the first direction of a fragment or a part, or the direction on the other side of the
+  /// vertex where it was cut.
   Direction chain_direction(Direction direction) {
     if (direction_ != no_direction) return turn_from(rows::cut_turn + is_level(), direction);
     return direction_ = static_cast<Direction>(of_direction(rows::first_direction, direction));
   }
-  /// The length of a run along a direction, or the part of it that is not coded yet.
+  /// Codes the length of a run along a direction, or the rest of its length.
   uint32_t length(uint32_t row, Direction direction, uint32_t length) {
     const uint32_t kind = link_class_ == 2 && direction % 2 == 0 ? 3 : link_class_;
     return number(row + rows::of_number * kind, length);
   }
-  /// A run after another one. A decoded run is empty if it is too long.
+  /// Codes a run after another one. A decoded run is empty if it is too long.
   Run run(Run run);
-  /// Whether the run coded last is the last one.
+  /// Codes whether the last coded run is the last of its chain.
   bool is_last_run(bool is_last) {
     return symbol(rows::is_last + 4 * chain_ + 2 * is_level(), is_last ? 1 : 0) != 0;
   }
@@ -210,12 +210,12 @@ class RecordModel {
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;
   uint16_t class_rows_ = 0;
-  // Whether loose fragments have occurred in this packet, which makes more of them likely: 0 no, 1
-  // before the last record, 2 with it.
+  // Whether this packet has had loose fragments, which makes more of them likely: 0 no, 1 before
+  // the last record, 2 including it.
   uint8_t fragments_ = 0;
-  uint8_t axis_ = 0;            // of the vertex coded last
-  uint8_t axis_before_ = 0;     // of the vertex before that
-  bool is_same_voxel_ = false;  // the two vertices have the same voxel
+  uint8_t axis_ = 0;            // of the last coded vertex
+  uint8_t axis_before_ = 0;     // of the vertex before that one
+  bool is_same_voxel_ = false;  // whether the two vertices have the same voxel
   uint8_t chain_ = forwards;    // forwards, backwards or ring
   Direction direction_ = 0;
   Vertex start_{0, 0, 0};
@@ -236,7 +236,7 @@ uint32_t RecordModel<Coder>::even(uint32_t bits, uint32_t value) {
   return coded;
 }
 
-// A positive number: 1, 2, 3, or the number of bits below its highest one, and these bits.
+// Codes a positive number: 1, 2, 3, or the number of bits below its highest one, and these bits.
 template <class Coder>
 uint32_t RecordModel<Coder>::number(uint32_t row, uint32_t value) {
   constexpr uint32_t last = rows::of_number - 1;
@@ -249,7 +249,7 @@ uint32_t RecordModel<Coder>::number(uint32_t row, uint32_t value) {
   return uint32_t{2} << bits | even(bits + 1, value);
 }
 
-// With ample memory all records are regions; when memory is short, many are fragments.
+// Records are all regions with ample memory; with little memory many are fragments.
 template <class Coder>
 RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
   kind = static_cast<RecordKind>(
@@ -291,7 +291,7 @@ Vertex RecordModel<Coder>::start(const Vertex& start) {
       z = signed_of(number(rows::steps_z, positive_of(z)));
       y = signed_of(number(rows::steps_y, positive_of(y)));
     }
-    // Along the row the place determines the sign.
+    // The sign along the row follows from the place.
     const uint32_t coded = number(rows::steps_x + rows::of_number * (place - ahead),
                                   place == ahead    ? static_cast<uint32_t>(x) - ahead + 1
                                   : place == behind ? 0 - static_cast<uint32_t>(x)
@@ -359,7 +359,7 @@ Direction RecordModel<Coder>::turn_by(uint32_t turn) {
   return direction_ = static_cast<Direction>(next < count ? next : next - count);
 }
 
-// The turn, and whether the run is longer than one link, as one symbol.
+// Codes the turn, and whether the run is longer than one link, as one symbol.
 template <class Coder>
 Run RecordModel<Coder>::run(Run run) {
   const uint32_t parity = link_class_ == 2 ? direction_ & 1 : 0;

@@ -10,7 +10,7 @@ bool is_length(int32_t value) {
   return value >= 1 && value <= static_cast<int32_t>(max_compact_length);
 }
 
-// The first direction of a ring; none if the plane does not have it.
+// Reads the first direction of a ring; none if the plane does not have it.
 Direction read_ring_direction(ReadingModel& model, Incidence incidence) {
   const uint32_t from = model.ring_direction(0);
   if (from >= model.directions()) return no_direction;
@@ -21,7 +21,7 @@ Direction read_ring_direction(ReadingModel& model, Incidence incidence) {
   return first;
 }
 
-// Reads runs one after the other up to the last one, after the direction of the first.
+// Reads runs up to the last one, after the direction of the first.
 bool read_runs(ReadingModel& model, Record& record, Direction first, uint32_t most) {
   const uint32_t length = model.length(rows::lengths, first, 1);
   Run run = length <= most ? Run::straight(first, length) : Run();
@@ -33,7 +33,7 @@ bool read_runs(ReadingModel& model, Record& record, Direction first, uint32_t mo
   }
 }
 
-// The way from the end of the runs back to their start, in steps of their plane.
+// Returns the vector from the end of the runs back to their start, in steps of their plane.
 PlaneWay way_back(const Record& record, uint32_t first, const PlaneStep* steps) {
   PlaneWay way{0, 0};
   for (uint32_t i = first; i < record.count; ++i) {
@@ -51,7 +51,7 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   const uint32_t base = model.link_class() + 1;
   const uint32_t turns[] = {1 + code % base, 1 + code / base % base, 1 + code / base / base};
   const uint32_t sum = turns[0] + turns[1] + turns[2];
-  const uint32_t coded = sum == directions ? 1 : 2;  // coded lengths of three runs, or of four
+  const uint32_t coded = sum == directions ? 1 : 2;  // lengths of three runs, or of four
   const uint32_t first = read_ring_direction(model, record.incidence);
   if (first == no_direction || !record.has_room(coded + 2)) return false;
   Direction direction[4] = {static_cast<Direction>(first)};
@@ -101,7 +101,7 @@ bool read_ring(ReadingModel& model, Record& record) {
 
 }  // namespace
 
-// Cramer's rule.
+// Uses Cramer's rule.
 Closure close_ring(PlaneStep a, PlaneStep b, PlaneWay way) {
   const int32_t area = a.u * b.v - a.v * b.u;
   const int32_t first = way.u * b.v - way.v * b.u;

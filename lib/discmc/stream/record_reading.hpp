@@ -8,7 +8,7 @@ namespace discmc::detail::stream {
 
 using ReadingModel = RecordModel<SymbolReader>;
 
-/// Read a region, a loose fragment or a part after its kind. False if no encoder wrote it.
+/// Read a region, a loose fragment or a part after its kind. Return false if no encoder wrote it.
 bool read_region(ReadingModel& model, Record& record, RecordKind kind);
 bool read_fragment(ReadingModel& model, Record& record, RecordKind kind);
 bool read_part(ReadingModel& model, Record& record);
@@ -28,7 +28,7 @@ struct Closure {
 /// lengths of 1 to max_compact_length do.
 Closure close_ring(PlaneStep a, PlaneStep b, PlaneWay way);
 
-/// The run along a way; empty if no run of at most max_compact_length matches.
+/// Returns the run along a vector; empty if no run of at most max_compact_length matches.
 Run run_along(const PlaneStep* steps, uint32_t directions, PlaneWay way);
 
 }  // namespace discmc::detail::stream

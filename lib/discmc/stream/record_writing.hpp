@@ -89,7 +89,7 @@ void encode_runs(Model& model, const uint32_t* run, uint32_t count) {
   }
 }
 
-/// Limit: as closed_runs() counts them.
+/// Limit: the runs are as closed_runs() counts them.
 template <class Model>
 void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32_t count) {
   const Direction first = direction_in(runs[0]);
@@ -98,7 +98,7 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
   model.ring_direction(turn_between(model.directions(), first_back(incidence), first));
   model.begin_chain(first);
   if (corners == 0) {
-    encode_runs(model, runs, count - 1);  // the last one leads back to the start
+    encode_runs(model, runs, count - 1);  // the last run leads back to the start
   } else if (count == 3) {
     model.length(rows::lengths, first, length_in(runs[0]));
   } else {
@@ -152,7 +152,7 @@ bool encode_fragment(Model& model, const Record& record) {
   return true;
 }
 
-/// Encodes a whole record. False: as the two functions above.
+/// Encodes a whole record. Returns false like the two functions above.
 template <class Model>
 bool encode_record(Model& model, const Record& record) {
   return record.is_fragment ? encode_fragment(model, record) : encode_region(model, record);

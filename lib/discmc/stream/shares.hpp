@@ -43,15 +43,16 @@ constexpr uint32_t is_last = longer + 4 * of_number;      ///< by chain, level
 constexpr uint32_t plain = is_last + 3 * 2 * 2;
 constexpr uint32_t of_diagonals = plain + of_number;
 
-// The other rows are together for each class: first those of equal size in each class.
+// Each class has further rows together: first the rows of equal number in each class.
 constexpr uint32_t ring_direction = 0;
 constexpr uint32_t two_lengths = ring_direction + 4;
 constexpr uint32_t by_direction = two_lengths + 4 * 4;
-// Then rows by direction. Their offsets count directions; a row of `turn` has two symbols each.
+// These rows exist per direction. Their offsets count directions; a row of `turn` has two symbols
+// each.
 constexpr uint32_t cut_turn = 0;  ///< 2, by level
 constexpr uint32_t first_direction = cut_turn + 2;
 constexpr uint32_t turn = first_direction + 1;  ///< of two; across an axis by parity
-// And a row of corners.
+// Then follows a row of corners.
 constexpr uint32_t corners(uint32_t link_class) {
   return by_direction + (4 + 2 * link_class) * (turn + (link_class == 2 ? 2 * 2 : 2));
 }
@@ -59,7 +60,7 @@ constexpr uint32_t of_corners(uint32_t link_class) {
   return 1 + (link_class + 1) * (link_class + 1) * (link_class + 1);
 }
 
-/// The first row of a class; for the class after the last, the end.
+/// Returns the first row of a class, or the end for the class after the last.
 constexpr uint32_t of_class(uint32_t link_class) {
   uint32_t row = of_diagonals;
   for (uint32_t i = 0; i < link_class; ++i) row += corners(i) + of_corners(i);

@@ -1,4 +1,4 @@
-// The coders of a packet's symbols (record_model.hpp): one writes them, the other reads them.
+// The coders of a packet's symbols (record_model.hpp): a writer and a reader.
 #ifndef DISCMC_STREAM_SYMBOL_CODERS_HPP
 #define DISCMC_STREAM_SYMBOL_CODERS_HPP
 

@@ -26,10 +26,10 @@ enum class PacketKind : uint8_t {
 
 /// The role of a packet of slices in its code, which may continue through several packets.
 struct SliceBits {
-  static constexpr uint8_t key = 1;    ///< a key slice begins with it, which needs nothing before
-  static constexpr uint8_t first = 2;  ///< the code begins with it
-  static constexpr uint8_t last = 4;   ///< the code ends with it
-  static constexpr uint8_t cut = 8;    ///< the code ends within a row
+  static constexpr uint8_t key = 1;    ///< begins a key slice, which needs nothing before
+  static constexpr uint8_t first = 2;  ///< begins the code
+  static constexpr uint8_t last = 4;   ///< ends the code
+  static constexpr uint8_t cut = 8;    ///< ends the code within a row
   static constexpr uint8_t all = 15;
 };
 constexpr bool is_of_slices(uint8_t kind) {
@@ -37,9 +37,9 @@ constexpr bool is_of_slices(uint8_t kind) {
   return kind / slices == 1 || kind == static_cast<uint8_t>(PacketKind::slices_trailer) ||
          kind == static_cast<uint8_t>(PacketKind::slices_application);
 }
-/// A payload with which a key slice begins starts with the number of the slice. A payload that is
-/// cut ends with the number of rows before, modulo 2^32, and the number of voxels left in the row.
-/// A cut in fractions is like one in voxels: see FractionCode::part(). Units: bytes.
+/// A payload that begins a key slice starts with the number of the slice. A payload that is cut
+/// ends with the number of rows before, modulo 2^32, and the number of voxels left in the row. A
+/// cut in fractions is like a cut in voxels: see FractionCode::part(). Units: bytes.
 constexpr int key_slice_head = 4;
 constexpr int cut_tail = 4 + 2;
 constexpr uint32_t row_part = uint32_t{1} << 24;
@@ -66,7 +66,7 @@ constexpr size_t max_payload = max_packet - packet_head - packet_tail;
 constexpr uint32_t tag_of(const StreamHeader& header) {
   return header.scan | uint32_t{header.channel} << 16 | (header.surface_count - 1U) << 22;
 }
-/// The header before a stream. All zero, so that a static encoder takes no flash.
+/// The header before any stream, all zero so that a static encoder needs no flash.
 constexpr StreamHeader no_header() {
   return {0, 0, 0, {}, {}, Border::closed, 0, 0, 0, 0};
 }

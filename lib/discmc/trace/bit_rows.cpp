@@ -12,7 +12,7 @@ static_assert(word_of(29) == 0 && word_of(30) == 1 && word_of(Limits::max_extent
 static_assert(bit_row_bytes(Limits::max_extent, swept_rows(Limits::max_extent)) <= UINT32_MAX,
               "32 bits count the words of a ring");
 
-// Bits that can be placed at once, in two words at most.
+// The number of bits that can be placed at once, in two words at most.
 constexpr uint32_t max_placed = 28;
 
 }  // namespace
@@ -34,14 +34,14 @@ void BitRows::clear() {
   slices_ = 0;
 }
 
-// The row that arrived `back` rows ago; the one that arrives for 0.
+// Returns the row that arrived `back` rows ago; the arriving row for 0.
 uint32_t* BitRows::row_before(uint32_t back) const {
   const uint32_t place = place_ >= back ? place_ - back : place_ + ring_rows_ - back;
   return ring_ + size_t{place} * words_;
 }
 
-// The place of an arriving row still holds the oldest row, in use until the sweep has caught up.
-// The first sample wipes it, not an earlier call.
+// The place of an arriving row holds the oldest row, until the sweep no longer needs it. Therefore
+// the first sample clears the place, not an earlier call.
 uint32_t* BitRows::arriving() {
   uint32_t* const words = row_before(0);
   const uint32_t* const end = words + words_;
@@ -50,8 +50,8 @@ uint32_t* BitRows::arriving() {
   return words;
 }
 
-// Turns voxels of the row on: bit i is that of column_ + i. A word begins with the copy of the last
-// column of the word before, and so these two overlap in two columns. Limit: bits < 2^28.
+// Turns on voxels of the row; bit i belongs to column_ + i. A word begins with a copy of the
+// previous word's last column, so two words overlap in two columns. Limit: bits < 2^28.
 void BitRows::turn_on(uint32_t* words, uint32_t bits) const {
   words[0] |= on_mark;
   const uint32_t word = word_of(column_);
@@ -66,7 +66,7 @@ void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int
   if (count == 0) return;
   uint32_t* const words = arriving();
   const Threshold<Sample> on(threshold);
-  // After samples that were on, a whole group that is off is unlikely.
+  // A whole group that is off is unlikely after samples that were on.
   bool may_be_off = true;
   while (count > 0) {
     uint32_t taken = 0;
@@ -95,7 +95,7 @@ template void BitRows::append(const uint16_t*, uint32_t, uint32_t, int32_t);
 template void BitRows::append(const int16_t*, uint32_t, uint32_t, int32_t);
 
 void BitRows::append_bits(const uint8_t* bits) {
-  constexpr uint32_t max_bits = is_host ? 24 : 8;  // placed at once; one byte takes less flash
+  constexpr uint32_t max_bits = is_host ? 24 : 8;  // placed at once; a single byte needs less flash
   static_assert(max_bits <= max_placed, "in two words");
   uint32_t* const words = arriving();
   for (; column_ < width_; column_ += max_bits) {
@@ -146,7 +146,7 @@ void BitRows::next_slice() {
 bool BitRows::is_off_around(int32_t y) const {
   const uint32_t row = static_cast<uint32_t>(y);
   const uint32_t there = slices_ == 0 ? 0 : height_;
-  const uint32_t back = rows_ + height_ - row;  // how many rows ago it arrived
+  const uint32_t back = rows_ + height_ - row;  // number of rows since it arrived
   uint32_t on = 0;
   if (row < there) on |= *row_before(back);
   if (row + 1 < there) on |= *row_before(back - 1);  // beyond the height for a row before the first
@@ -172,7 +172,7 @@ void BitRows::find_around(int32_t y, RowBlock& block) const {
       continue;
     }
     for (uint32_t j = 0; j < 3; ++j) {
-      // Beyond the height for a row before the first.
+      // Exceeds the height for a row before the first.
       row[j] = first + j < there ? next : off;
       next += words_;
       if (next == off) next = ring_;

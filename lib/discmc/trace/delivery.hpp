@@ -28,7 +28,7 @@ class Delivery {
   using Slots = Pool<Slot<Index, Normal>, Index>;
   using Chains = Fragments<Index, Normal>;
 
-  /// heads: see Holes. max_holes: with as many waiting, further ones go out loose.
+  /// heads: as for Holes. max_holes: if this many wait, further holes leave as loose fragments.
   void start(Index* heads, uint32_t max_holes) {
     holes_.start(heads);
     max_holes_ = max_holes;
@@ -38,10 +38,11 @@ class Delivery {
     is_delivering_ = false;
   }
 
-  /// Delivers what goes out, if anything. False when the sink is busy: call again.
+  /// Delivers what is outgoing, if anything. Returns false if the sink is busy: call again.
   bool settle(Chains& chains, const Sink& sink, Statistics& statistics);
 
-  /// After the last vertex: delivers holes that still wait, loose. As settle().
+  /// Delivers holes that still wait as loose fragments, after the last vertex. Returns like
+  /// settle().
   bool settle_holes(Chains& chains, const Sink& sink, Statistics& statistics);
 
   /// The steps of settle(): begin() selects the first event of what is outgoing, select_next() the
@@ -66,9 +67,9 @@ class Delivery {
   bool is_delivering_ = false;
   bool is_fragment_ = false;
   uint32_t max_holes_ = 0;
-  uint32_t holes_due_ = 0;  // marked ones: of the region, or to go before a loose fragment
-  Event event_{};           // the next one; its start is that of the chain
-  Index last_ = no_slot;    // of the chain's runs
+  uint32_t holes_due_ = 0;  // marked holes to deliver: of the region, or before a loose fragment
+  Event event_{};           // next event; its start is the chain's
+  Index last_ = no_slot;    // of the chain's run list
   Cursor first_;
   Cursor cursor_;  // behind the run of event_
   Holes<Index, Normal> holes_;
@@ -117,8 +118,8 @@ void Delivery<Index, Normal, holes_wait>::begin(Chains& chains) {
   begin_ring(slots);
   constexpr uint32_t min_spare = minimum_capacities().slots + Holes<Index, Normal>::slots_each;
   if (holes_wait && event_.is_hole && holes_.count() < max_holes_ &&
-      // Untested branch: fragments leave early before so few slots are left. If it is ever taken,
-      // the hole is sent as a fragment.
+      // Untested branch: fragments leave early before so few slots remain. The hole would leave as
+      // a fragment.
       chains.spare() >= min_spare) {
     holes_.keep(slots, out);
     out.kind = Out::Kind::none;
@@ -130,7 +131,7 @@ void Delivery<Index, Normal, holes_wait>::begin(Chains& chains) {
   event_.kind = is_fragment_ ? Event::Kind::fragment : Event::Kind::region;
 }
 
-// Finds where to begin, whether the ring is a hole, and the direction before its first run.
+// Finds the start of the ring, whether the ring is a hole, and the direction before its first run.
 //
 // A ring begins at its last vertex in the order z, y, x. This vertex is always a corner. It lies
 // near the front of the sweep, and only some directions are possible there, so record_model.hpp
@@ -162,7 +163,7 @@ void Delivery<Index, Normal, holes_wait>::begin_ring(const Slots& slots) {
       turns_right(incidence, event_.incoming_direction, direction_of(first_.run(slots)));
 }
 
-// Begins with the next of the marked holes. False when there is none.
+// Begins with the next of the marked holes. Returns false if there is none.
 template <class Index, class Normal, bool holes_wait>
 bool Delivery<Index, Normal, holes_wait>::begin_hole(Chains& chains) {
   if (!holes_wait || holes_due_ == 0) return false;
@@ -172,7 +173,8 @@ bool Delivery<Index, Normal, holes_wait>::begin_hole(Chains& chains) {
   return true;
 }
 
-// A loose fragment may be the last of the ring around holes of its plane: they go before it.
+// Delivers holes of the fragment's plane before it, because the fragment may complete the ring
+// around them.
 template <class Index, class Normal, bool holes_wait>
 void Delivery<Index, Normal, holes_wait>::begin_next_loose(Chains& chains) {
   is_fragment_ = true;
@@ -189,7 +191,7 @@ void Delivery<Index, Normal, holes_wait>::begin_next_loose(Chains& chains) {
   first_ = Cursor(chains.slots(), last_);
 }
 
-// Runs of one direction go out as one.
+// Merges successive runs of one direction.
 template <class Index, class Normal, bool holes_wait>
 void Delivery<Index, Normal, holes_wait>::next_run(const Slots& slots) {
   event_.kind = Event::Kind::run;
@@ -200,7 +202,7 @@ void Delivery<Index, Normal, holes_wait>::next_run(const Slots& slots) {
   while (cursor_ != first_ && event_.run.absorb(long_run(cursor_.run(slots))));
 }
 
-// The sink has taken an event: what comes next?
+// Selects the next event after the sink has accepted one.
 template <class Index, class Normal, bool holes_wait>
 DISCMC_NOINLINE void Delivery<Index, Normal, holes_wait>::select_next(Chains& chains,
                                                                       Statistics& statistics) {

@@ -1,4 +1,4 @@
-// The passes that a sweep takes, worked out at every vertex, one vertex at a time.
+// Computes the passes of a sweep at every vertex, one vertex at a time.
 #ifndef DISCMC_TRACE_DERIVED_PASSES_HPP
 #define DISCMC_TRACE_DERIVED_PASSES_HPP
 
@@ -10,7 +10,7 @@ namespace discmc::detail::trace {
 
 class DerivedPasses {
  public:
-  /// Forgets where it is in a row, and what it has found.
+  /// Forgets its position in a row, and the passes found.
   void clear() {
     passes_.count = 0;
     word_ = 0;
@@ -19,12 +19,12 @@ class DerivedPasses {
   /// Begins in a word of a row. Limit: after clear().
   void go_on_from(uint32_t word) { word_ = word; }
 
-  /// Finds the next vertex of a row that has passes, and counts the cells on the way. False after
-  /// the last vertex; the next call begins a row.
+  /// Finds the next vertex of a row that has passes, and counts the cells on the way. Returns false
+  /// after the last vertex; the next call begins a row.
   template <bool is_lean = false>
   bool find(const SweptRow& row, SweepCounts& counts);
 
-  /// The first pass that has been found and not taken, and where it is. Limit: has_next().
+  /// The first found pass that was not processed, and its vertex. Limit: has_next().
   bool has_next() const { return next_ < passes_.count; }
   const Pass& pass() const { return passes_.pass[next_]; }
   const Vertex& vertex() const { return vertex_; }
@@ -38,8 +38,8 @@ class DerivedPasses {
   PassList passes_{};
   uint32_t next_ = 0;
   Vertex vertex_{};
-  uint32_t word_ = 0;         // behind the one that crossings_ are of
-  Crossings crossings_ = {};  // those not yet visited
+  uint32_t word_ = 0;         // word after the one of crossings_
+  Crossings crossings_ = {};  // edges not yet visited
 };
 
 template <bool is_lean>

@@ -53,8 +53,8 @@ bool BasicExtractor<Index, Intake, Sweep>::can_scan(const Limits& limits) {
          (limits.border == Border::closed && !slab.continues_below && !slab.continues_above);
 }
 
-// Assigns the arrays their places in the memory, and writes nothing there. False if they do not
-// fit.
+// Assigns the arrays their places in the memory, and writes nothing there. Returns false if they do
+// not fit.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::lay_out(const Limits& limits, Memory memory) {
   Arena arena(memory);
@@ -86,11 +86,11 @@ DISCMC_NOINLINE void BasicExtractor<Index, Intake, Sweep>::clear() {
 template <class Index, class Intake, class Sweep>
 size_t BasicExtractor<Index, Intake, Sweep>::bytes_used() const {
   if (state_ == State::idle) return 0;
-  unpoison(memory_.data, memory_.bytes);  // the caller saves it, with free slots
+  unpoison(memory_.data, memory_.bytes);  // the caller saves all of it, with free slots
   return static_cast<size_t>(bytes_for(limits(), {peaks().slots, 0}));
 }
 
-// ---- what the caller gives ----
+// ---- input of the caller ----
 
 template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::ready_for_samples() {
@@ -172,7 +172,7 @@ void BasicExtractor<Index, Intake, Sweep>::note_origin(RowOrigin origin) {
 
 // ---- checkpoints ----
 
-// Whether the sink has refused something that is due.
+// Whether the sink has refused a pending event.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::is_suspended() const {
   return due_ != Due::nothing || swept_rows_ < ready_rows() || bits_.rows() == height_ ||
@@ -205,7 +205,7 @@ Status BasicExtractor<Index, Intake, Sweep>::restore(Memory memory, const Sink& 
 
 // ---- the sweep ----
 
-// Does all that the rows at hand allow. False when the sink is busy.
+// Does all work that the available rows allow. Returns false if the sink is busy.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::work() {
   while (state_ != State::finished) {
@@ -222,35 +222,35 @@ bool BasicExtractor<Index, Intake, Sweep>::work() {
   return true;
 }
 
-// The slice that is swept: the one before the slice that arrives, counted as slices are pushed.
+// The slice that is being swept: the one before the arriving slice. Pushed slices count.
 template <class Index, class Intake, class Sweep>
 int32_t BasicExtractor<Index, Intake, Sweep>::middle_slice() const {
   return static_cast<int32_t>(bits_.slices()) - 1;
 }
 
-// Whether no slice follows the one that is swept.
+// Whether no slice follows the swept one.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::is_last_slice() const {
   return state_ == State::finishing && !intake_.holds_rows(bits_);
 }
 
-// Rows of the slice that is swept whose neighbours are there. With a closed border they begin
-// with the row before the first, in the slice before the first. A slab begins in the slice below
-// it.
+// Returns the rows of the swept slice whose neighbours are available. With a closed border they
+// begin with the row before the first, in the slice before the first. A slab begins in the slice
+// below it.
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::ready_rows() const {
   const bool is_closed = !is_open();
   const int32_t first_own = continues_below() ? 1 : is_closed ? -1 : 0;
   if (middle_slice() < (continues_below() ? 0 : first_own)) return 0;
   const bool is_last = is_last_slice();
-  // Nothing has come up to the slice above a slab that has no slices.
+  // The slice above a slab is absent if the slab has no slices.
   if (is_last && continues_above() && middle_slice() == first_own) return 0;
   const uint32_t arrived = is_last ? height_ : bits_.rows();
   if (arrived == height_) return height_ + (is_closed ? 1 : 0);
   return is_closed || arrived == 0 ? arrived : arrived - 1;
 }
 
-// The rows of cells around row y that lie outside the volume (CellRowBits).
+// Returns the rows of cells around row y that lie outside the volume (CellRowBits).
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::rows_outside(int32_t y) const {
   if (!is_open()) return 0;
@@ -262,7 +262,7 @@ uint32_t BasicExtractor<Index, Intake, Sweep>::rows_outside(int32_t y) const {
   return outside;
 }
 
-// Where the slice that is swept lies.
+// Returns the role of the swept slice in its slab.
 template <class Index, class Intake, class Sweep>
 DISCMC_NOINLINE detail::trace::SlabRole BasicExtractor<Index, Intake, Sweep>::slab_role() const {
   using detail::trace::SlabRole;
@@ -292,7 +292,7 @@ bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
   return sweep_.sweep(row, intake_, sink_, statistics_);
 }
 
-// The slices of the slab itself, without context slices.
+// Counts the slices of the slab itself, without context slices.
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::own_slices() const {
   const uint32_t context = (continues_below() ? 1U : 0U) + (continues_above() ? 1U : 0U);
@@ -313,7 +313,7 @@ SinkResult BasicExtractor<Index, Intake, Sweep>::send_start() {
   return sink_.accept(sink_.context, event);
 }
 
-// Offers the event that precedes the sweep. False when the sink is busy.
+// Offers the event that precedes the sweep. Returns false if the sink is busy.
 template <class Index, class Intake, class Sweep>
 DISCMC_ALWAYS_INLINE bool BasicExtractor<Index, Intake, Sweep>::send_due() {
   const bool is_sent = due_ == Due::start

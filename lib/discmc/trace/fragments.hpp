@@ -1,9 +1,9 @@
-// The open chains: fragments grow at the vertices that chains pass, join, and close to rings.
+// The open chains: fragments grow at the vertices of their chains, join, and close to rings.
 //
-// A pass is the way of one chain through one vertex. An end of a fragment waits in the queue of its
-// link to a vertex that is visited later. That link leaves a tail, and reaches a begin. If
-// the sweep has visited a neighbour, an end waits for the pass: a tail in queue `in`, or a begin in
-// queue `out`. A neighbour that it has not visited is ahead:
+// A pass is the path of one chain through one vertex. An end of a fragment waits in the queue of
+// its link to a vertex that is visited later. A link leaves the fragment at its tail, and arrives
+// at its begin. If the sweep has visited a neighbour, an end waits for the pass: a tail in queue
+// `in`, or a begin in queue `out`. A neighbour that is visited later is ahead:
 //
 //   arrives from   leaves to   process()
 //   visited        ahead       lengthens the tail, which waits again
@@ -12,8 +12,8 @@
 //   visited        visited     joins two fragments, or closes a ring if they are one
 //
 // A run is added at a corner, at a join, where an end is cut, and where a side is full. If few
-// slots are free, the runs of long fragments leave early. If an end finds no slot to wait in, it is
-// lost: its fragment has a loose end. A ring, and runs that leave a fragment, are outgoing() until
+// slots are free, the runs of long fragments leave early. An end without a slot to wait in is lost:
+// its fragment then has a loose end. A ring, and runs that leave a fragment, are outgoing() until
 // Delivery has sent them.
 #ifndef DISCMC_TRACE_FRAGMENTS_HPP
 #define DISCMC_TRACE_FRAGMENTS_HPP
@@ -25,13 +25,14 @@
 
 namespace discmc::detail::trace {
 
-/// What a link adds to a place, and how to count links between two places without a division.
+/// The change of a place by a link, and the means to count links between two places without a
+/// division.
 struct LinkSteps {
   static constexpr int max_step = 6;
   static constexpr uint32_t fraction_bits = 15;
 
   int8_t of[link_codes];
-  uint16_t inverse[max_step + 1];  ///< of the length of a step, rounded up
+  uint16_t inverse[max_step + 1];  ///< of the step's length, rounded up
 };
 namespace derive {
 constexpr LinkSteps link_steps() {
@@ -47,11 +48,11 @@ constexpr LinkSteps link_steps() {
 }  // namespace derive
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
-/// Sides are kept whole up to this distance of places.
+/// A side is not split up to this distance of places.
 constexpr uint32_t max_side_places = 4080;
 
-/// Whether a side between two places is full, so that it is split here. Two full sides may join,
-/// and places still give the length. The order of the places does not matter.
+/// Whether a side between two places is full, so that it must be split here. After two full sides
+/// join, places still determine the length. The order of the places does not matter.
 inline bool is_full_side(Place from, Place to) {
   return (to - from + max_side_places - 1) % (1U << place_bits) >= 2 * max_side_places - 1;
 }
@@ -64,7 +65,8 @@ static_assert(short_run(7, max_short_length) == UINT16_MAX && 3 + place_bits <= 
 static_assert(1U << place_bits < 1U << LinkSteps::fraction_bits,
               "what rounding adds to an inverse is less than a link");
 
-/// How many links lead from one place to another. Limit: the places are less than 8,192 apart.
+/// Returns the number of links from one place to another. Limit: the places are less than 8,192
+/// apart.
 inline uint32_t links_between(Place from, Place to, Link link) {
   const int8_t step = link_steps.of[link];
   const uint32_t way = step < 0 ? from - to : to - from;
@@ -72,7 +74,7 @@ inline uint32_t links_between(Place from, Place to, Link link) {
          LinkSteps::fraction_bits;
 }
 
-/// The place a link further on.
+/// Returns the place after a link.
 inline Place moved(Place from, Link link) {
   return from + static_cast<uint32_t>(link_steps.of[link]);
 }
@@ -88,7 +90,7 @@ struct Outgoing {
   Vertex start{0, 0, 0};
 };
 
-/// Index and Normal as of the slots.
+/// Index and Normal are as for the slots.
 template <class Index, class Normal>
 class Fragments {
  public:
@@ -97,9 +99,9 @@ class Fragments {
 
   /// No fragment is sent early while this many slots are free.
   static constexpr uint32_t min_spare_to_hold = 1024;
-  /// The most slots that a pass takes.
+  /// The most slots that a pass allocates.
   static constexpr uint32_t slots_per_pass = 6;
-  /// Slots reserved for ends within the slice: this many, or half of all.
+  /// The number of slots reserved for ends within the slice, unless half of all is less.
   static constexpr uint32_t max_reserved = 80;
 
   void start(Slot<Index, Normal>* slots, uint32_t capacity, Queue<Index>* queues) {
@@ -114,18 +116,19 @@ class Fragments {
     outgoing_.kind = Outgoing<Index>::Kind::none;
   }
 
-  /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
-  /// intake.normal_at(vertex) returns the normal at a corner. Cost: constant, but for what is sent.
+  /// Processes a chain's pass at a vertex. Limit: nothing is outgoing. intake.normal_at(vertex)
+  /// returns the normal at a corner. Cost: constant, except for sending.
   template <class Intake>
   void process(const Pass& pass, const Vertex& vertex, const Intake& intake);
 
-  /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there. Or one
-  /// that descends from it begins, loose, at the next vertex. Limits and cost as process().
+  /// Cuts a pass at a vertex of the slice above a slab. A chain that rises to the vertex ends
+  /// there; a chain that descends from it begins, loose, at the next vertex. Limits and cost as
+  /// process().
   void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
   /// Moves a vertex by a link.
   static void follow(Vertex& vertex, Link link) { translate(vertex, link, 1); }
-  /// The vertex that a chain comes to.
+  /// Returns the vertex that a chain reaches next.
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
     Vertex next = vertex;
     if (pass.has_centroid()) follow(next, pass.first);
@@ -133,12 +136,12 @@ class Fragments {
     return next;
   }
 
-  /// Whether what comes from below is another slab's.
+  /// Sets whether chains from below belong to another slab.
   void set_below_is_lost(bool is_lost) {
     queues_.lose_from(is_lost ? first_rising_queue : queue_count);
   }
 
-  /// Puts an end that waits, or was lost, behind the others of its queue.
+  /// Appends an end, waiting or lost, to its queue.
   void push(uint8_t queue, Index end) { queues_.push(slots_, queue, end); }
   void push_lost(uint8_t queue) { queues_.push_lost(slots_, queue); }
   /// Makes the two ends mates and stores the runs in both. If neither is loose, only the tail's
@@ -146,9 +149,9 @@ class Fragments {
   void connect(Index begin, Index tail, Index list);
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
-  /// What goes out, until whoever delivers it sets its kind to none.
+  /// Returns the outgoing chain. After delivery, the caller sets its kind to none.
   Outgoing<Index>& outgoing() { return outgoing_; }
-  /// Makes runs outgoing, which begin at `start`.
+  /// Makes runs outgoing that begin at `start`.
   void put_out(typename Outgoing<Index>::Kind kind, Incidence incidence, Index last,
                const Vertex& start) {
     outgoing_.kind = kind;
@@ -158,7 +161,7 @@ class Fragments {
   }
   Slots& slots() { return slots_; }
   const Slots& slots() const { return slots_; }
-  /// The free slots, less one for each queue whose last entry is an end (queues.hpp).
+  /// Returns the free slots, less one for each queue whose last entry is an end (queues.hpp).
   uint32_t spare() const { return slots_.available(); }
 
  private:
@@ -169,7 +172,7 @@ class Fragments {
   static Direction direction(const Pass& pass, Link link) {
     return discmc::direction_of(pass.incidence, link);
   }
-  // Where the side begins that a chain leaves along.
+  // Returns the beginning of the side along which a chain leaves.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
     Vertex corner = vertex;
     if (pass.turns_at_centroid()) translate(corner, pass.first, 1);
@@ -188,7 +191,7 @@ class Fragments {
   void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Intake& intake);
   void cut_begin(const Pass& pass, Index begin, Link incoming, const Vertex& vertex);
   void send_if_long(const Pass& pass, const Vertex& vertex, Index index, bool is_tail);
-  // The runs of the fragment that has this begin.
+  // Returns the runs of the fragment with this begin.
   Index& runs_of(Index begin) {
     EndSlot& slot = end(begin);
     return is_loose(slot.mate) ? slot.last : end(slot.mate).last;
@@ -205,7 +208,7 @@ class Fragments {
     return spare() >= enough_for_ends_ || spare() >= min_spare(queue, mate);
   }
   uint32_t min_spare(uint8_t queue, Index mate) const;
-  // Whether fragments have to be sent early, and this one is long enough.
+  // Whether fragments must be sent early, and this one is long enough.
   bool should_send(Index list, Index other = no_slot) const {
     return spare() < min_spare_to_hold && is_long(list, other);
   }
@@ -213,9 +216,9 @@ class Fragments {
   void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  Slots slots_;                   // first, so that its address is at hand
-  uint32_t kept_for_slice_ = 0;   // slots kept from ends that wait for the next slice
-  uint32_t enough_for_ends_ = 0;  // no end is lost while this many are free
+  Slots slots_;                   // first, because its address is then at hand
+  uint32_t kept_for_slice_ = 0;   // slots that ends waiting for the next slice must not use
+  uint32_t enough_for_ends_ = 0;  // while this many are free, no end is lost
   Outgoing<Index> outgoing_;
   Queues<Index, Normal> queues_;
 };
@@ -237,7 +240,7 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::process(const Pass& pass, const V
   } else {
     tail = pop(pass.in);
     if (tail == no_slot) {
-      // It comes along a link whose end was lost.
+      // The end of the incoming link was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.incoming)), intake);
     } else if (pass.turns() || is_full_side(end(tail).side.place(), here)) {
       turn(tail, pass.incoming, here, direction(pass, pass.first),
@@ -262,7 +265,7 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::process(const Pass& pass, const V
 
 // ---- how a chain comes to the vertex ----
 
-// A tail that starts here. mate: its fragment's begin, or where that is loose the mark for it.
+// Returns a tail that starts here. mate: its fragment's begin, or the mark of a loose begin.
 template <class Index, class Normal>
 template <class Intake>
 DISCMC_NOINLINE Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex,
@@ -296,7 +299,7 @@ DISCMC_ALWAYS_INLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& 
   return tail;
 }
 
-// A chain from a later vertex continues in a fragment that has waited for it.
+// Continues a waiting fragment by a chain from a later vertex.
 template <class Index, class Normal>
 template <class Intake>
 DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
@@ -323,7 +326,7 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& p
   if (has_new_runs) send_if_long(pass, vertex, begin, false);
 }
 
-// The fragment begins loose at a vertex, where it comes by a link.
+// The fragment begins loose at a vertex, where it arrives by a link.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::cut_begin(const Pass& pass, Index begin, Link incoming,
                                          const Vertex& vertex) {
@@ -338,7 +341,7 @@ void Fragments<Index, Normal>::cut_begin(const Pass& pass, Index begin, Link inc
 
 // ---- corners ----
 
-// The side under way at a tail ends at a corner, and the next begins.
+// Ends the current side of a tail at a corner, and begins the next side.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::turn(Index tail, Link incoming, Place corner, Direction onwards,
                                     Normal normal) {
@@ -352,7 +355,7 @@ void Fragments<Index, Normal>::turn(Index tail, Link incoming, Place corner, Dir
   Lists::append(slots_, slot.last, run);
 }
 
-// The side under way at a begin starts at a corner, and the one before it ends.
+// Begins the current side of a begin at a corner, and ends the previous side.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner,
                                          Direction incoming, Normal normal) {
@@ -367,7 +370,7 @@ void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner
 
 // ---- the end of a fragment ----
 
-// The fragment ends loose at the next vertex.
+// Ends the fragment loose at the next vertex.
 template <class Index, class Normal>
 DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::cut_tail(const Pass& pass, const Vertex& vertex,
                                                              Index tail) {
@@ -375,7 +378,7 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::cut_tail(const Pass& pass, c
   end_tail(pass, tail, pass.second, next);
 }
 
-// The fragment ends loose at a vertex. along: its last link. If its runs are sent, `at` becomes the
+// Ends the fragment loose at a vertex. along: its last link. If its runs are sent, `at` becomes the
 // vertex at which they begin.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along, Vertex& at) {
@@ -388,7 +391,7 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
   send(pass, begin, loose_end<Index>(), list, at);
 }
 
-// The fragment continues in one that has waited, or closes.
+// Continues the fragment in a waiting one, or closes it to a ring.
 template <class Index, class Normal>
 DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex,
                                                          Index tail, Index begin) {
@@ -397,7 +400,7 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::join(const Pass& pass, const
   const Index first_end = before.mate;
   const Index last_end = end(begin).mate;
   const bool is_closed = first_end == begin;
-  Index& runs_after = runs_of(begin);  // for a ring: the list of `before`, too
+  Index& runs_after = runs_of(begin);  // for a ring, also the list of `before`
   Entry run;
   run.run =
       short_run(after.direction(), links_between(before.side.place(), after.place(), pass.second));
@@ -441,8 +444,9 @@ void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
 
 // ---- at the seam of a slab ----
 
-// No cell above the seam takes part, so no chain rises from this vertex. A pass with a rising queue
-// has its link in the slice below. One function for both ways takes less flash and stack than two.
+// No cell above the seam exists here, so no chain rises from this vertex. A pass with a rising
+// queue has its link in the slice below. One function for both directions needs less flash and
+// stack than two.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bool ends) {
   DISCMC_LIMIT(!has_outgoing());
@@ -460,9 +464,9 @@ void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bo
 
 // ---- short of slots ----
 
-// The ends of links within the slice are lost last, because they leave their queue soon. The others
-// are lost earlier if their chain has already lost an end, so that more regions stay whole. They
-// are also lost earlier behind a lost end, where they take no slot.
+// Ends of links within the slice are lost last, because they leave their queue soon. Other ends are
+// lost earlier if their chain has already lost an end, so that more regions stay whole. They are
+// also lost earlier behind a lost end, where they need no slot.
 template <class Index, class Normal>
 uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   if (queue < first_rising_queue) return slots_per_pass;
@@ -472,8 +476,8 @@ uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   return needed;
 }
 
-// A fragment is long if it has more than a sixteenth of the spare slots. Below 16, every fragment
-// with a run is. Sending releases the slots that the pass has taken.
+// A fragment is long if it has more than a sixteenth of the spare slots. With less than 16 spare
+// slots, every fragment with a run is long. Sending frees the slots that the pass has allocated.
 template <class Index, class Normal>
 bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
   const uint32_t max_slots = spare() / 16;
@@ -482,8 +486,8 @@ bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
          max_slots;
 }
 
-// Sends the runs of a fragment that was lengthened at a vertex, if there are too many: the index of
-// its tail or begin.
+// Sends the runs of a fragment that a vertex has lengthened, if there are too many. Index: of its
+// tail or begin.
 template <class Index, class Normal>
 DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::send_if_long(const Pass& pass,
                                                                  const Vertex& vertex, Index index,
@@ -491,7 +495,7 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::send_if_long(const Pass& pas
   const EndSlot& slot = end(index);
   const Index list = is_tail ? slot.last : runs_of(index);
   if (!should_send(list)) return;
-  // The corner: the vertex, or the centroid behind it.
+  // Finds the corner: the vertex, or the centroid behind it.
   Vertex start = vertex;
   if (slot.side.place() != place_of(vertex)) follow(start, pass.first);
   if (!is_tail) return send(pass, index, slot.mate, list, start);
@@ -499,7 +503,7 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::send_if_long(const Pass& pas
   send(pass, slot.mate, index, list, start);
 }
 
-// Moves a vertex from the end of a list of runs to where it begins.
+// Moves a vertex from the end of a list of runs to the list's beginning.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::move_to_begin(Vertex& at, Incidence incidence, Index list) const {
   const RunCursor<Index, Normal> first(slots_, list);
@@ -511,7 +515,7 @@ void Fragments<Index, Normal>::move_to_begin(Vertex& at, Incidence incidence, In
   } while (cursor != first);
 }
 
-// Sends the runs of a fragment; what waits of it then begins or ends where they do.
+// Sends the runs of a fragment. Its waiting ends then begin or end at the runs' ends.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, Index list,
                                     const Vertex& start) {

@@ -1,5 +1,5 @@
-// The intake of extractors with normals: keeps the samples, and delays rows until all neighbours of
-// a vertex are present.
+// The intake of extractors with normals. It keeps the samples, and delays rows until all neighbours
+// of a vertex are present.
 #ifndef DISCMC_TRACE_GRADIENT_INTAKE_HPP
 #define DISCMC_TRACE_GRADIENT_INTAKE_HPP
 
@@ -27,7 +27,7 @@ class GradientIntake {
     return SampleRows<Sample>::bytes_for(limits, ring_rows(limits)) +
            Arena::bytes_of(ring_rows(limits), sizeof(uint16_t));
   }
-  /// Takes bytes_for(limits) from the arena, and writes nothing.
+  /// Allocates bytes_for(limits) in the arena, and writes nothing.
   void start(Arena& arena, const Limits& limits) {
     samples_.start(arena, limits, ring_rows(limits));
     given_ = arena.allocate<uint16_t>(ring_rows(limits));
@@ -50,12 +50,12 @@ class GradientIntake {
     for (int axis = 0; axis < 3; ++axis) spacing_nm[axis] = spacing_nm_[axis];
   }
 
-  /// The position of the next sample: as BitIntake.
+  /// Returns the column of the next sample, like BitIntake.
   uint32_t column(const detail::trace::BitRows&) const { return samples_.column(); }
   uint32_t rows(const detail::trace::BitRows&) const { return samples_.rows(); }
   uint32_t slices(const detail::trace::BitRows&) const { return samples_.slices(); }
 
-  /// As BitIntake, with samples of this type only.
+  /// Appends samples like BitIntake, but only of this type.
   RowOrigin append(detail::trace::BitRows& rows, const Sample* samples, uint32_t count,
                    uint32_t stride, int32_t threshold) {
     samples_.append(samples, count, stride);
@@ -88,7 +88,7 @@ class GradientIntake {
   }
 
  private:
-  // Stored in place of the number of samples of a row.
+  // Replace the number of samples of a skipped row.
   static constexpr uint16_t skipped_off = 0xFFFE;
   static constexpr uint16_t skipped_repeated = 0xFFFF;
   static_assert(Limits::max_extent < skipped_off, "widths are none of these");
@@ -102,7 +102,7 @@ class GradientIntake {
     samples_.next_row();
     ++waiting_;
   }
-  // A row is due after a slice and a row.
+  // Passes on a row that is due, which is after a slice and a row.
   RowOrigin pass_on_due(detail::trace::BitRows& rows, int32_t threshold) {
     if (waiting_ <= height_ + 1) return RowOrigin::samples;
     return pass_on(rows, threshold);
@@ -123,14 +123,15 @@ class GradientIntake {
     return row;
   }
 
-  // The value of missing samples for the gradient: just below the threshold, if the type has such a
-  // value. If the threshold exceeds all values of the type, nothing is on and there are no normals.
+  // Returns the value of missing samples for the gradient: just below the threshold, if the type
+  // has such a value. If the threshold exceeds all values of the type, nothing is on and there are
+  // no normals.
   static Sample off_below(int32_t threshold) {
     constexpr int32_t min_sample = detail::trace::min_sample<Sample>;
     return static_cast<Sample>(threshold > min_sample ? threshold - 1 : min_sample);
   }
 
-  int32_t spacing_nm_[3] = {0, 0, 0};  // unknown
+  int32_t spacing_nm_[3] = {0, 0, 0};  // 0: unknown
   AxisWeights weights_;
   SampleRows<Sample> samples_;
   uint16_t* given_ = nullptr;

@@ -1,5 +1,5 @@
-// Holes wait for the ring around them, sorted by place: for the many holes that 32-bit indices can
-// count. As Holes with lists (holes.hpp), with the same holes in the same order.
+// Keeps waiting holes sorted by place, for the many holes that 32-bit indices can count. The holes
+// and their order equal those of the lists (holes.hpp).
 #ifndef DISCMC_TRACE_HOLE_TREE_HPP
 #define DISCMC_TRACE_HOLE_TREE_HPP
 
@@ -41,9 +41,9 @@ class Holes<uint32_t, Normal> {
     return waiting_.any_on_plane(Nodes{slots}, incidence, at) != no_slot;
   }
 
-  /// Marks the holes in a ring, or for anything else all on its plane, and counts them. Limit: none
-  /// is marked. Cost: a look-up per line of the plane that a side crosses and that has holes, and
-  /// per marked hole.
+  /// Marks and counts the holes in a ring, or for a fragment all on its plane. Limit: none is
+  /// marked. Cost: a look-up per line of the plane that a side crosses and that has holes, and per
+  /// marked hole.
   uint32_t mark(Slots& slots, const Ring& by) {
     if (by.kind == Ring::Kind::ring) return mark_inside(slots, by);
     uint32_t marked = 0;
@@ -54,8 +54,8 @@ class Holes<uint32_t, Normal> {
     }
   }
 
-  /// Takes one of the holes out that were marked last, the newest first: its runs, and where they
-  /// start. Limit: there is one.
+  /// Removes one of the last marked holes, the newest first. Returns its runs and their start.
+  /// Limit: there is one.
   void remove(Slots& slots, uint32_t& last, Vertex& start) {
     const uint32_t index = marked_.first(Newest{{slots}}, [](uint32_t) { return true; });
     marked_.remove(Newest{{slots}}, index);
@@ -67,7 +67,7 @@ class Holes<uint32_t, Normal> {
     --count_;
   }
 
-  /// A plane that has holes. Limit: count() > 0, and none is marked.
+  /// Finds a plane that has holes. Limit: count() > 0, and none is marked.
   void any_plane(const Slots& slots, Incidence& incidence, Vertex& at) const {
     const Hole<uint32_t>& hole = slots[waiting_.any()].hole;
     incidence = hole.incidence();
@@ -77,7 +77,7 @@ class Holes<uint32_t, Normal> {
  private:
   using Cursor = RunCursor<uint32_t, Normal>;
 
-  // The slots as nodes of trees.
+  // Presents the slots as nodes of trees.
   struct Nodes {
     Slots& slots;
     Incidence incidence(uint32_t hole) const { return slots[hole].hole.incidence(); }
@@ -115,7 +115,7 @@ class Holes<uint32_t, Normal> {
       cursor.advance(slots);
     } while (cursor != begin);
   }
-  // Calls visit(hole, crossing, leads_inside) for what the sides of a ring cross:
+  // Calls visit(hole, crossing, leads_inside) for each crossing with the sides of a ring:
   // RingTree::cross().
   template <class Visit>
   void for_each_crossing(Slots& slots, const Ring& ring, Visit visit) {
@@ -160,7 +160,7 @@ uint32_t Holes<uint32_t, Normal>::mark_inside(Slots& slots, const Ring& ring) {
   return marked;
 }
 
-// Whether there are holes in the box around a ring. Most rings have none there.
+// Whether there are holes in the box around a ring; most rings have none.
 template <class Normal>
 bool Holes<uint32_t, Normal>::may_surround_any(Slots& slots, const Ring& ring) const {
   if (!has_any(slots, ring.incidence, ring.start)) return false;

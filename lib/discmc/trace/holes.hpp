@@ -1,9 +1,9 @@
-// Holes wait for the ring around them.
+// Keeps holes until the ring around them closes.
 //
-// An outer ring closes after the holes of its region (DESIGN.md has the proof). So an outer ring
-// that closes takes the holes of its plane that lie in it; the rings between have taken those
-// further in. Holes are rare: lists by plane, whose slots come from the pool, so that they have no
-// capacity of their own to be set wrong. With 32-bit indices there may be many holes: a tree
+// An outer ring closes after the holes of its region (DESIGN.md has the proof). Therefore a closing
+// outer ring claims the holes of its plane that lie inside it; holes further inside have been
+// claimed by rings between. Holes are rare. Lists by plane use slots of the pool, so holes need no
+// capacity of their own. With 32-bit indices there may be many holes, which need a tree
 // (hole_tree.hpp).
 #ifndef DISCMC_TRACE_HOLES_HPP
 #define DISCMC_TRACE_HOLES_HPP
@@ -22,7 +22,7 @@ class Holes {
 
   static constexpr uint32_t slots_each = 2;
 
-  /// heads: of detail::sizing::hole_lists<Index> lists.
+  /// heads: detail::sizing::hole_lists<Index> lists.
   void start(Index* heads) { heads_ = heads; }
   void clear() {
     for (uint32_t i = 0; i < detail::sizing::hole_lists<Index>; ++i) heads_[i] = no_slot;
@@ -39,16 +39,15 @@ class Holes {
   /// Whether there are holes on the plane of a vertex. Cost: the holes of a list.
   bool has_any(const Slots& slots, Incidence incidence, const Vertex& at) const;
 
-  /// Marks the holes in a ring, or for anything else all on its plane, and counts them. Limit: none
-  /// is marked. Cost: the holes of the list, and the ring's runs; for each hole in the ring's
-  /// extent, the runs again.
+  /// Marks and counts the holes in a ring, or for a fragment all on its plane. Limit: none is
+  /// marked. Cost: the holes of the list, and the ring's runs; for each hole in the ring's extent,
+  /// the runs again.
   uint32_t mark(Slots& slots, const Outgoing<Index>& by);
 
-  /// Takes one of the holes out that were marked last: its runs, and where they start. Limit: there
-  /// is one.
+  /// Removes one of the last marked holes. Returns its runs and their start. Limit: there is one.
   void remove(Slots& slots, Index& last, Vertex& start);
 
-  /// A plane that has holes. Limit: count() > 0.
+  /// Finds a plane that has holes. Limit: count() > 0.
   void any_plane(const Slots& slots, Incidence& incidence, Vertex& at) const;
 
  private:
@@ -177,9 +176,10 @@ typename Holes<Index, Normal>::Extent Holes<Index, Normal>::extent_of(const Slot
 }
 
 // Whether an outer ring surrounds a hole of its plane that starts at a vertex in a direction. The
-// middle of the hole's first link lies on no other ring. So it lies inside if a ray from it crosses
-// the ring an odd number of times. Seen along an axis that does not lie in the plane; only v may be
-// z, in which a ring may be long. Coordinates of a scan, relative to the hole, fit into 32 bits.
+// middle of the hole's first link lies on no other ring. It lies inside if a ray from it crosses
+// the ring an odd number of times. The plane is projected along an axis that does not lie in it;
+// only v may be z, along which a ring may be long. Coordinates relative to the hole fit into 32
+// bits.
 template <class Index, class Normal>
 bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& ring,
                                      const Vertex& start, Direction first) {
@@ -189,7 +189,8 @@ bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& 
   const auto step = [&](Direction direction) {
     return detail::link_table.vector[link_of(ring.incidence, direction)];
   };
-  // From the hole's start: the middle is half of this, in half-steps; and the ring's vertex.
+  // The middle, relative to the hole's start, is half of `link`, in half-steps. The ring's vertex
+  // follows.
   const int8_t* const link = step(first);
   int32_t at_u = component(ring.start, u) - component(start, u);
   int32_t at_v = component(ring.start, v) - component(start, v);
@@ -203,8 +204,9 @@ bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& 
     const int8_t* const side = step(direction_of(run));
     const int32_t end_v = at_v + length * side[v];
     if (is_above(at_v) != is_above(end_v)) {
-      // The position at which the side crosses the line of the ray, times the step in v; never 0.
-      // As it crosses, at_v is small.
+      // The position at which the side crosses the line of the ray, times the step in v. It is
+      // never 0.
+      // At a crossing, at_v is small.
       const int32_t crossing = (2 * at_u - link[u]) * side[v] - (2 * at_v - link[v]) * side[u];
       if ((crossing > 0) == (side[v] > 0)) is_inside = !is_inside;
     }

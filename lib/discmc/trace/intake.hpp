@@ -1,7 +1,7 @@
-// Where samples come in: they become rows of bits, and may be kept for normals.
+// Intakes of samples: they make rows of bits, and may keep samples for normals.
 //
-// An extractor without normals has nothing to keep: this intake thresholds samples as they come.
-// GradientIntake keeps samples and lets rows wait (gradient_intake.hpp).
+// An extractor without normals keeps no samples: this intake thresholds samples as they arrive.
+// GradientIntake keeps samples and delays rows (gradient_intake.hpp).
 #ifndef DISCMC_TRACE_INTAKE_HPP
 #define DISCMC_TRACE_INTAKE_HPP
 
@@ -10,17 +10,17 @@
 
 namespace discmc {
 
-/// Where a row of bits comes from. The sink gets an event for each row without samples.
+/// The origin of a row of bits. The sink gets an event for each row without samples.
 enum class RowOrigin : uint8_t {
-  samples,   ///< samples of its own; also a row that is not complete
+  samples,   ///< own samples; also an incomplete row
   skipped,   ///< no samples arrived: the row is off
-  repeated,  ///< no samples arrived: the row before replaces it
+  repeated,  ///< no samples arrived: the previous row replaces it
 };
 
 /// The normal of a run in an extractor without normals.
 struct NoNormal {};
 
-/// For an extractor that makes no normals.
+/// The intake of an extractor without normals.
 class BitIntake {
  public:
   static constexpr bool holds_samples = false;
@@ -32,12 +32,12 @@ class BitIntake {
   void clear() {}
   void write_spacing(int32_t (&)[3]) const {}
 
-  /// Where the samples that arrive are.
+  /// Returns the column of the next sample.
   uint32_t column(const detail::trace::BitRows& rows) const { return rows.column(); }
   uint32_t rows(const detail::trace::BitRows& rows) const { return rows.rows(); }
   uint32_t slices(const detail::trace::BitRows& rows) const { return rows.slices(); }
 
-  /// Appends samples to the row that arrives. Limit: count <= width - column().
+  /// Appends samples to the arriving row. Limit: count <= width - column().
   template <class Sample>
   RowOrigin append(detail::trace::BitRows& rows, const Sample* samples, uint32_t count,
                    uint32_t stride, int32_t threshold) {
@@ -45,7 +45,7 @@ class BitIntake {
     if (rows.row_is_complete()) rows.next_row();
     return RowOrigin::samples;
   }
-  /// A row never came. Limit: column() == 0.
+  /// Processes a row that never arrived. Limit: column() == 0.
   RowOrigin skip(detail::trace::BitRows& rows, bool is_repeated, int32_t) {
     if (is_repeated)
       rows.repeat();
@@ -54,13 +54,13 @@ class BitIntake {
     rows.next_row();
     return is_repeated ? RowOrigin::repeated : RowOrigin::skipped;
   }
-  /// No more samples come: what the slice lacks is off. Limit: holds_rows().
+  /// Processes the end of the samples: missing ones of the slice are off. Limit: holds_rows().
   RowOrigin drain(detail::trace::BitRows& rows, int32_t) {
     rows.fill_off();
     rows.next_row();
     return RowOrigin::samples;
   }
-  /// Whether a slice is under way.
+  /// Whether a slice has begun and is incomplete.
   bool holds_rows(const detail::trace::BitRows& rows) const {
     return rows.rows() > 0 || rows.column() > 0;
   }

@@ -1,4 +1,4 @@
-// The circle of lines around a crossing edge (sector_table.hpp), from rows of bits.
+// Finds the circle of lines around a crossing edge (sector_table.hpp) in rows of bits.
 #ifndef DISCMC_TRACE_NEIGHBOURHOOD_HPP
 #define DISCMC_TRACE_NEIGHBOURHOOD_HPP
 
@@ -7,7 +7,7 @@
 
 namespace discmc::detail::trace {
 
-/// The lower bits of the lines of a circle, by the three bits of a row at x - 1, x and x + 1.
+/// The lower bits of a circle's lines, by the three bits of a row at x - 1, x and x + 1.
 struct LineBits {
   uint16_t of[8];
 };
@@ -27,7 +27,7 @@ constexpr LineBits line_bits(int left, int middle, int right) {
 
 }  // namespace derive
 
-/// For edges along y: [0] the row beyond the edge along u, [1] the row of the edge, [2] the row
+/// For edges along y: [0] the row after the edge along u, [1] the row of the edge, [2] the row
 /// before it.
 inline constexpr LineBits lines_of_y[3] = {derive::line_bits(7, 0, 1), derive::line_bits(6, 8, 2),
                                            derive::line_bits(5, 4, 3)};
@@ -43,13 +43,13 @@ struct EdgePlace {
   int axis;
 
   DISCMC_ALWAYS_INLINE bool lower_is_on() const { return (rows.row[1][1][word] >> bit & 1) != 0; }
-  /// The circle of lines around it, two bits per line.
+  /// Returns the circle of lines around the edge, two bits per line.
   uint32_t lines() const;
 
  private:
-  // The line along x in a row of the block.
+  // Returns the line along x in a row of the block.
   DISCMC_ALWAYS_INLINE uint32_t line(int k, int j) const { return rows.row[k][j][word] >> bit & 3; }
-  // The lines from one row to another.
+  // Returns the lines from one row to another.
   DISCMC_ALWAYS_INLINE uint32_t pair(const LineBits& bits, const uint32_t* lower,
                                      const uint32_t* upper) const {
     const uint32_t shift = bit - 1;

@@ -1,4 +1,4 @@
-// Extractors with gradient normals: a file of their own, so that plain scanners do not link them.
+// Extractors with gradient normals, in a file of their own so that plain scanners do not link them.
 #include <discmc/normal_extractor.hpp>
 #include <discmc/trace/extractor_definitions.hpp>
 

@@ -5,8 +5,9 @@ namespace discmc::detail::trace {
 
 namespace {
 
-// The eight sectors around a vertex have a nibble each in a word: a heading, 8 for none, 15 where
-// the cell is absent. So have the rays between them: a ray is named by where its nibble begins.
+// The eight sectors around a vertex have a nibble each in a word: a heading, 8 for none, or 15 if
+// the cell is absent. Rays lie between the nibbles; the bit at which the following nibble begins
+// names a ray.
 template <bool is_lean>
 class Surroundings {
  public:
@@ -21,8 +22,8 @@ class Surroundings {
       headings_ = headings_ >> 8 | seen << 24;
       if constexpr (!is_lean) parts_ += sector_table.part[seen >> 12];
     }
-    // Turned from quadrant 0 to their own: adds 2q, modulo 8, to both headings of quadrant q, and
-    // leaves an 8, no heading, alone.
+    // Turns headings from quadrant 0 to their own quadrant q: adds 2q, modulo 8, and leaves an 8,
+    // no heading, unchanged.
     const uint32_t nowhere = headings_ & 0x88888888;
     headings_ = ((headings_ + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
     if (!is_lean && absent != 0) remove(absent);
@@ -30,7 +31,7 @@ class Surroundings {
 
   uint32_t parts() const { return parts_; }
 
-  // Where the sectors on both sides differ.
+  // Returns the rays between differing sectors.
   uint32_t rays() const {
     uint32_t differ = headings_ ^ (headings_ << 4 | headings_ >> 28);
     differ |= differ >> 2;
@@ -38,7 +39,7 @@ class Surroundings {
     return differ & 0x11111111;
   }
 
-  // The incidence of the wedge that begins at a ray.
+  // Returns the incidence of the wedge that begins at a ray.
   Incidence incidence(uint32_t ray) const {
     const uint32_t heading = headings_ >> ray & 15;
     if (!is_lean && heading > no_heading) return no_incidence;
@@ -92,7 +93,7 @@ class Surroundings {
   uint32_t parts_ = 0;
 };
 
-// Takes out the wedges where there are no cells.
+// Removes the wedges of absent cells.
 DISCMC_ALWAYS_INLINE void remove_absent(PassList& passes) {
   uint8_t count = 0;
   for (uint32_t i = 0; i < passes.count; ++i)
@@ -107,7 +108,8 @@ DISCMC_ALWAYS_INLINE void find_passes(const Edge& edge, uint32_t absent, PassLis
   passes.count = 0;
   const uint32_t rays = around.rays();
   if (rays == 0) return;
-  // From the second ray on, and the first one last: so the first wedge begins at the first ray.
+  // Starts at the second ray and ends with the first, so that the first wedge begins at the first
+  // ray.
   Pass* ending = passes.pass;
   for (uint32_t left = rays;;) {
     ++passes.count;

@@ -1,4 +1,4 @@
-// The passes at a vertex: which chains go through it, from where to where.
+// The passes at a vertex: the chains through it, with their links.
 //
 // A ray is a boundary link that leaves the vertex between two different sectors. The sectors
 // between two rays are a wedge. One chain passes each wedge: it arrives along one ray and leaves
@@ -11,7 +11,7 @@
 
 namespace discmc::detail::trace {
 
-/// The way of one chain through a vertex. The two spokes of a wedge at a centroid are one link
+/// The path of one chain through a vertex. The two spokes of a wedge at a centroid are one link
 /// here, so the outgoing link may have a corner.
 struct Pass {
   Incidence incidence;
@@ -19,11 +19,12 @@ struct Pass {
   Link first;       ///< by which the chain leaves: to the next vertex, or to a centroid before it
   Link second;      ///< from the centroid; equal to `first` without a centroid or a corner there
   uint8_t in, out;  ///< queues of the incoming and the outgoing link
-  bool comes_from_ahead;  ///< the vertex before is visited later
+  bool comes_from_ahead;  ///< whether the previous vertex is visited later
   uint8_t flags;          ///< ahead, by_centroid
 
   static constexpr uint8_t ahead = 1, by_centroid = 2;
-  bool goes_ahead() const { return (flags & ahead) != 0; }  ///< the vertex after is visited later
+  /// Whether the next vertex is visited later.
+  bool goes_ahead() const { return (flags & ahead) != 0; }
   bool has_centroid() const { return (flags & by_centroid) != 0; }
   bool turns() const { return incoming != first; }
   bool turns_at_centroid() const { return first != second; }
@@ -33,17 +34,17 @@ struct Pass {
 struct PassList {
   static constexpr int max_passes = 8;
 
-  uint32_t parts;  ///< what the vertex adds to the counts of cells: see CountParts
+  uint32_t parts;  ///< the vertex's parts of the cell counts: see CountParts
   Pass pass[max_passes];
   uint8_t count;
 };
 
-/// Works out the passes at the vertex on an edge. absent: by quadrant, a bit: there is no cell, or
-/// none that takes part. Lean: none is absent, and nothing is counted.
+/// Computes the passes at the vertex on an edge. absent: a bit per quadrant without a participating
+/// cell. is_lean: none is absent, and nothing is counted.
 template <bool is_lean = false>
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
 
-/// An edge whose surroundings are at hand: for hosts, as EdgePlace.
+/// An edge with known surroundings: for hosts, in place of EdgePlace.
 struct EdgeLines {
   int axis;
   bool is_on;

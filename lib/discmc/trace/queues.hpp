@@ -1,7 +1,8 @@
-// Ends wait in queues, first in, first out: one queue per kind of link and way of the chain.
+// Queues of waiting ends, first in, first out: one queue per kind of link and direction of the
+// chain.
 //
-// If an end finds no room, it is lost. Its place in the queue stays, so that the other ends keep
-// their partners: the queue counts lost ends. The count has three encodings:
+// An end without a slot is lost. Its place in the queue stays, so that the other ends keep their
+// partners. The queue counts lost ends in one of three encodings:
 //
 //   only lost ends wait           in the Queue: top bit of `head` set, the count in the other bits
 //                                 of `head` and in `tail` (32-bit indices: in `tail` alone)

@@ -7,26 +7,26 @@
 
 namespace discmc::detail::trace {
 
-/// What can be done to the lists of a pool. An empty list is no_slot.
+/// Operations on the run lists of a pool. An empty list is no_slot.
 template <class Index, class Normal>
 struct RunLists {
   using Slots = Pool<Slot<Index, Normal>, Index>;
   using Entry = typename RunSlot<Index, Normal>::Entry;
   static constexpr int entries = RunSlot<Index, Normal>::entries;
 
-  /// Puts a run behind the others, or before them. Cost: a slot at most.
+  /// Adds a run at the end of a list, or at its beginning. Cost: at most a slot.
   static void append(Slots& slots, Index& last, const Entry& run) {
     add(slots, last, run, entries - 1);
   }
   static void prepend(Slots& slots, Index& last, const Entry& run) { add(slots, last, run, 0); }
 
-  /// The last run. Limit: not empty.
+  /// Returns the last run. Limit: not empty.
   static ShortRun last_run(const Slots& slots, Index last) {
     const Entry* const entry = slots[last].runs.entry;
     return entry[2].run != 0 ? entry[2].run : entry[1].run != 0 ? entry[1].run : entry[0].run;
   }
 
-  /// Makes one list of two, which are then void.
+  /// Joins two lists. Both names are then invalid; the result names the joined list.
   static Index concatenate(Slots& slots, Index first, Index second) {
     if (first == no_slot) return second;
     if (second == no_slot) return first;
@@ -36,7 +36,7 @@ struct RunLists {
     return second;
   }
 
-  /// Gives all slots of a list back. Limit: not empty. Cost: a step per slot.
+  /// Frees all slots of a list. Limit: not empty. Cost: a step per slot.
   static void give(Slots& slots, Index last) {
     for (Index index = slots[last].linked.next;;) {
       const Index next = slots[index].linked.next;
@@ -46,8 +46,8 @@ struct RunLists {
     }
   }
 
-  /// How many slots a list has, if not more than `most`, else a larger number.
-  /// Cost: at most `most` steps and one.
+  /// Returns the number of slots of a list if that is at most `most`, otherwise a larger number.
+  /// Cost: at most `most` + 1 steps.
   static uint32_t slots_up_to(const Slots& slots, Index last, uint32_t most) {
     uint32_t count = 0;
     if (last == no_slot) return count;
@@ -60,8 +60,8 @@ struct RunLists {
   }
 
  private:
-  // outermost: the entry where a slot is full on the side of the run: the last one behind the
-  // others, the first one before them.
+  // outermost: the slot's last entry to append a run, its first entry to prepend one. If that entry
+  // is in use, the slot is full on this side.
   static void add(Slots& slots, Index& last, const Entry& run, int outermost) {
     const bool is_behind = outermost != 0;
     if (last != no_slot) {
@@ -75,7 +75,7 @@ struct RunLists {
     RunSlot<Index, Normal>& slot = slots[index].runs;
     for (Entry& entry : slot.entry) entry.run = 0;
     slot.entry[entries - 1 - outermost] = run;
-    // Behind the last is before the first.
+    // The end of a circular list is also its beginning.
     slot.next = index;
     if (last != no_slot) {
       slot.next = slots[last].linked.next;
@@ -85,7 +85,7 @@ struct RunLists {
   }
 };
 
-/// A place in a list, from run to run and round again.
+/// A position in a list, which continues from the last run to the first.
 template <class Index, class Normal>
 class RunCursor {
  public:
@@ -93,7 +93,7 @@ class RunCursor {
   using Entry = typename RunSlot<Index, Normal>::Entry;
 
   RunCursor() = default;
-  /// At the first run of a list. Limit: not empty.
+  /// Begins at the first run of a list. Limit: not empty.
   RunCursor(const Slots& slots, Index last) : place_(first_of(slots[last].linked.next)) {
     if (run(slots) == 0) advance(slots);
   }
@@ -112,7 +112,7 @@ class RunCursor {
   bool operator!=(const RunCursor& other) const { return place_ != other.place_; }
 
  private:
-  static constexpr size_t places = 4;  // of a slot: its entries, and one more
+  static constexpr size_t places = 4;  // per slot: its entries, and one more
 
   static size_t first_of(Index slot) { return size_t{slot} * places; }
   Index slot() const { return static_cast<Index>(place_ / places); }

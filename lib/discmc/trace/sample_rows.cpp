@@ -48,7 +48,7 @@ void SampleRows<Sample>::next_row() {
 
 template <class Sample>
 LongVector SampleRows<Sample>::negative_gradient(const Vertex& vertex) const {
-  // What is negative is then far beyond the volume.
+  // A negative coordinate then exceeds the volume.
   const uint32_t x = static_cast<uint32_t>(vertex.x), last_x = x / 2 + x % 2;
   const uint32_t y = static_cast<uint32_t>(vertex.y), last_y = y / 2 + y % 2;
   const uint32_t z = static_cast<uint32_t>(vertex.z), last_z = z / 2 + z % 2;
@@ -59,8 +59,8 @@ LongVector SampleRows<Sample>::negative_gradient(const Vertex& vertex) const {
   return {slope.x, slope.y, slope.z};
 }
 
-// Adds the slope of the samples at the voxels x to last_x of a row, over two steps each. If a
-// neighbour is missing, the voxel itself replaces it, and one step counts twice.
+// Adds the slope of the samples at voxels x to last_x of a row, over two steps each. The voxel
+// itself replaces a missing neighbour, and the remaining step counts twice.
 template <class Sample>
 void SampleRows<Sample>::add_row(Slope& slope, uint32_t x, uint32_t last_x, uint32_t y,
                                  uint32_t z) const {

@@ -1,8 +1,8 @@
-// The last rows of samples, and their gradient at a vertex.
+// The last rows of samples, and the gradient at a vertex.
 //
 // The gradient is the mean of central differences at the voxels around the vertex. A midpoint has
-// the two ends of its edge, a centroid the eight corners of its cell. At the outermost voxels of
-// the volume, the differences are one-sided.
+// the two ends of its edge, a centroid the eight corners of its cell. The differences are one-sided
+// at the outermost voxels of the volume.
 #ifndef DISCMC_TRACE_SAMPLE_ROWS_HPP
 #define DISCMC_TRACE_SAMPLE_ROWS_HPP
 
@@ -16,45 +16,46 @@ namespace discmc {
 template <class Sample>
 class SampleRows {
  public:
-  /// The bytes that start() takes from the arena.
+  /// Returns the bytes that start() allocates in the arena.
   static constexpr uint64_t bytes_for(const Limits& limits, uint32_t ring_rows) {
     return Arena::bytes_of(limits.width * ring_rows, sizeof(Sample));
   }
-  /// Takes ring_rows rows from the arena, and writes nothing.
+  /// Allocates ring_rows rows in the arena, and writes nothing.
   void start(Arena& arena, const Limits& limits, uint32_t ring_rows);
   void clear();
 
-  /// Appends samples to the row that arrives; `stride` counts samples from one to the next.
-  /// Limit: count <= width - column(). Cost: a copy.
+  /// Appends samples to the arriving row; `stride` counts samples from one to the next. Limit:
+  /// count <= width - column(). Cost: a copy.
   void append(const Sample* samples, uint32_t count, uint32_t stride);
   /// Fills the rest of the row with one value.
   void fill(Sample value);
-  /// Fills the whole row with the row before it, and the first of all with `first`.
-  /// Limit: column() == 0.
+  /// Fills the whole row with the previous row, or the first row of all with `first`. Limit:
+  /// column() == 0.
   void repeat(Sample first);
 
   uint32_t column() const { return column_; }
   bool row_is_complete() const { return column_ == width_; }
-  /// Begins the next row, and after the last of a slice the next slice.
+  /// Begins the next row, and after the last row of a slice the next slice.
   void next_row();
 
-  /// Complete rows of the slice that arrives (0 to height - 1), and complete slices.
+  /// Return the number of complete rows of the arriving slice (0 to height - 1), and of complete
+  /// slices.
   uint32_t rows() const { return rows_; }
   uint32_t slices() const { return slices_; }
 
-  /// The row that arrived `back` rows ago. Limit: 1 <= back < ring_rows, or ring_rows while no
-  /// sample of the next row is there.
+  /// Returns the row that arrived `back` rows ago. Limit: 1 <= back < ring_rows, or ring_rows while
+  /// the next row has no samples.
   const Sample* row_before(uint32_t back) const { return row_at(place_before(back)); }
-  /// The place in the ring, 0 to ring_rows - 1, of that row; of the one that arrives for 0.
+  /// Returns the place of that row in the ring, 0 to ring_rows - 1; of the arriving row for 0.
   uint32_t place_before(uint32_t back) const {
     return place_ >= back ? place_ - back : place_ + ring_rows_ - back;
   }
 
-  /// The direction in which the samples fall, the gradient backwards: from on to off. Zero where
-  /// they are level, and outside the volume, on the walls that Border::closed adds.
-  /// Units: samples a voxel, times 4 for a midpoint and 16 for a centroid; less than 2^21.
-  /// Limit: the rows that it takes are in the ring; a slice that has not arrived is none of the
-  /// volume. Cost: 12 samples for a midpoint, 48 for a centroid.
+  /// Returns the direction in which the samples fall, from on to off: the negative gradient. It is
+  /// zero if the samples are level, and outside the volume, on the walls that Border::closed adds.
+  /// Units: samples per voxel, times 4 for a midpoint and 16 for a centroid; less than 2^21. Limit:
+  /// the ring has the needed rows; slices that have not arrived do not belong to the volume. Cost:
+  /// 12 samples for a midpoint, 48 for a centroid.
   LongVector negative_gradient(const Vertex& vertex) const;
 
  private:
@@ -73,7 +74,7 @@ class SampleRows {
   uint32_t width_ = 0;
   uint32_t height_ = 0;
   uint32_t ring_rows_ = 0;
-  uint32_t place_ = 0;  // of the row that arrives
+  uint32_t place_ = 0;  // of the arriving row
   uint32_t column_ = 0;
   uint32_t rows_ = 0;
   uint32_t slices_ = 0;

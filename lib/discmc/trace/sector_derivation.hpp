@@ -1,4 +1,4 @@
-// How the table of sectors follows from the face rule of cell.hpp: for the compiler alone.
+// Derives the table of sectors from the face rule of cell.hpp, at compile time only.
 #ifndef DISCMC_TRACE_SECTOR_DERIVATION_HPP
 #define DISCMC_TRACE_SECTOR_DERIVATION_HPP
 
@@ -7,7 +7,8 @@
 
 namespace discmc::detail::trace::derive {
 
-// Vectors along the axis of an edge and the two that follow it, turned to those of the volume.
+// Converts a vector from the frame of an edge's axis and the two axes after it to the volume's
+// frame.
 constexpr Vertex from_axis_frame(int axis, const Vertex& v) {
   return axis == 0 ? v : axis == 1 ? Vertex{v.z, v.x, v.y} : Vertex{v.y, v.z, v.x};
 }
@@ -58,7 +59,7 @@ constexpr EdgeNumbers number_edges() {
 
 constexpr EdgeNumbers edges = number_edges();
 
-// The edge of the cell in a quadrant that the same edge of quadrant 0 becomes when it is turned.
+// Returns the cell's edge in a quadrant that corresponds to an edge of quadrant 0 by rotation.
 constexpr CellEdge turned_edge(CellEdge edge, int quadrant) {
   Vertex at = quarter_turns(position(edges.point[edge]), quadrant);
   if (quadrant == 1 || quadrant == 2) at.y += 2;
@@ -68,7 +69,7 @@ constexpr CellEdge turned_edge(CellEdge edge, int quadrant) {
 
 // ---- the loop through a vertex ----
 
-// The configuration of the cell in quadrant 0 of an edge along x.
+// Returns the configuration of the cell in quadrant 0 of an edge along x.
 constexpr Configuration configuration_of(int lower_is_on, int lines) {
   return static_cast<Configuration>((lower_is_on != 0 ? 1 : 2) | (lines & 3) << 2 |
                                     (lines >> 2 & 3) << 6 | (lines >> 4) << 4);
@@ -76,8 +77,8 @@ constexpr Configuration configuration_of(int lower_is_on, int lines) {
 
 struct VertexLoop {
   LoopFacets facets;
-  int index;   // of the vertex in the loop
-  int points;  // of all loops of the cell
+  int index;   // index of the vertex in the loop
+  int points;  // number of points in all loops of the cell
 };
 
 constexpr VertexLoop loop_at_vertex(Configuration configuration) {
@@ -95,7 +96,7 @@ constexpr VertexLoop loop_at_vertex(Configuration configuration) {
   return found;
 }
 
-// The position of the line of a heading, seen along the axis.
+// Returns the position of a heading's line, seen along the axis.
 constexpr Vertex line_at(int heading) {
   return quarter_turns(heading % 2 == 0 ? Vertex{0, 1, 0} : Vertex{0, 1, 1}, heading / 2);
 }
@@ -117,10 +118,10 @@ constexpr CellAtVertex cell_at_vertex(int lower_is_on, int lines) {
   const Incidence second = lower_is_on != 0 ? before : after;
   const auto headings = static_cast<uint8_t>(heading_of(first) | heading_of(second) << 4);
   if (before == after) return {headings, 0, 0};
-  // The facets before the vertex end at its spoke: their chain leaves it for where they begin.
+  // Facets before the vertex end at its spoke. Their chain leaves the vertex for their beginning.
   int begin = i - 1;
   while (facets.behind(begin - 1) == before) --begin;
-  // The facets after it begin there: their chain comes from where they end.
+  // Facets after it begin there. Their chain comes from their end.
   int end = i + 1;
   while (facets.behind(end) == after) ++end;
   const CellEdge to = edges.number[facets.loop.point[facets.wrap(begin)]];
@@ -128,15 +129,15 @@ constexpr CellAtVertex cell_at_vertex(int lower_is_on, int lines) {
   return {headings, static_cast<uint8_t>(to | from << 4), 0};
 }
 
-// ---- ways ----
+// ---- ways: links along rays ----
 
-// An edge as it is, of one as if the axis were x and the quadrant the first.
+// Converts an edge from the frame of axis x and quadrant 0 to its own axis and quadrant.
 constexpr CellEdge edge_in(int axis, int quadrant, CellEdge edge) {
   const CellEdge turned = turned_edge(edge, quadrant);
   return edges.number[point_at(from_axis_frame(axis, position(edges.point[turned])))];
 }
 
-// The edge of the quadrant's cell that the vertex lies on.
+// Returns the edge of the quadrant's cell on which the vertex lies.
 constexpr CellEdge own_edge(int axis, int quadrant) {
   return edge_in(axis, quadrant, edges.number[point_at({1, 0, 0})]);
 }
@@ -157,8 +158,8 @@ struct QueueNumbers {
   }
 };
 
-// The queue for chains from an edge of a cell by the centroid to another. The way back has the
-// other queue of a pair, whether chains go there or not.
+// The queue for chains from an edge of a cell by the centroid to another. The reverse path has the
+// other queue of a pair, even if no chain uses it.
 struct SpokeQueues {
   uint8_t queue[cell_edges][cell_edges];
 };
@@ -216,7 +217,7 @@ constexpr Vertex lowest_on_axis(int axis) {
   return from_axis_frame(axis, {1, 0, 0});
 }
 
-// The same link begins at either of its vertices: the earlier one names it.
+// The same link begins at both of its vertices: the earlier one names it.
 constexpr uint8_t queue_of_face_link(const SectorTable& table, const Vertex& begin, Link link) {
   for (int axis = 0; axis < 3; ++axis)
     for (const auto& of_quadrant : table.axis[axis].way)
@@ -227,13 +228,13 @@ constexpr uint8_t queue_of_face_link(const SectorTable& table, const Vertex& beg
   return queue_count;
 }
 
-// A vertex moved by whole cells to where the edges of the cell at the origin begin.
+// Moves a vertex by whole cells to the beginning of edges of the cell at the origin.
 constexpr Vertex moved_to_origin(const Vertex& v) {
   return {v.x & 1, v.y & 1, v.z & 1};
 }
 
 constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
-  // First those ahead, which number the queues, then those behind, which find them.
+  // The first pass numbers the queues of links ahead; the second pass finds them for links behind.
   for (int pass = 0; pass < 2; ++pass)
     for (int axis = 0; axis < 3; ++axis)
       for (int quadrant = 0; quadrant < quadrants; ++quadrant)
@@ -252,14 +253,14 @@ constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
         }
 }
 
-// Which way the link on a face goes from a vertex, by the bits of the other line on that face: on
-// corners are separated.
+// Returns the direction of a face's link from a vertex, by the bits of the other line on that face.
+// On corners are separated.
 constexpr uint8_t face_way_of(int lower_is_on, int line) {
   const bool lower = (line & 1) != 0, upper = (line & 2) != 0;
   const bool here = lower_is_on != 0;
   if (lower != upper && lower == here) return straight_way;
-  // The link cuts off one corner of the middle line: the one on, or where both others are on, the
-  // one off.
+  // The link cuts off one corner of the middle line, the corner that is on. If both other corners
+  // are on, the link cuts off the corner that is off.
   const bool is_upper_cut_off = lower && upper ? here : !here;
   return is_upper_cut_off ? upward_way : downward_way;
 }
@@ -275,7 +276,7 @@ constexpr uint32_t part_of(int lines) {
   return cell | facet << CountParts::facet_shift | triangle << CountParts::triangle_shift;
 }
 
-// The number of a value in an array, where it is put behind the others if it is new.
+// Returns the index of a value in an array, and appends a new value.
 template <class Value>
 constexpr int number_in(Value* known, int& count, Value value) {
   int number = 0;

@@ -6,7 +6,7 @@ namespace {
 
 constexpr SectorTable derived = derive::sector_table();
 
-// Every queue is that of the chains that go along a way, from the one end or the other.
+// Whether chains use every queue, from one end of the link or the other.
 constexpr bool queues_are_all_used() {
   bool is_used[queue_count] = {};
   for (const AxisTable& axis : derived.axis)
@@ -20,7 +20,7 @@ constexpr bool queues_are_all_used() {
 static_assert(queues_are_all_used(),
               "18 kinds of links on faces both ways, and 108 ways by a centroid");
 
-// The fields of a word of counts, for four cells around a vertex.
+// Whether the fields of a word of counts have room for four cells around a vertex.
 constexpr bool parts_have_room() {
   for (const uint32_t part : derived.part) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;

@@ -40,21 +40,21 @@ struct CellAtVertex {
   /// Bits 0 to 3: the first sector of the quadrant; bits 4 to 7: the second. If they differ, the
   /// spoke is boundary.
   uint8_t headings;
-  /// Bits 0 to 3: the edge that the chain reaches that leaves along the spoke, by the centroid.
-  /// Bits 4 to 7: the edge of the chain that arrives along it. Both for the axis x.
+  /// Bits 0 to 3: the edge reached by the chain that leaves along the spoke, by the centroid. Bits
+  /// 4 to 7: the edge of the chain that arrives along the spoke. Both for the axis x.
   uint8_t edges;
   uint8_t part;  ///< an index into SectorTable::part
 };
 
-/// Ends wait in queues, one per kind of link and way of a chain along it. Links of one kind end in
-/// the order in which they began. There are 144 kinds:
+/// Ends wait in queues, one per kind of link and direction of a chain along the link. Links of one
+/// kind end in the order in which they began. There are 144 kinds:
 ///
 ///   36    links on faces, by the edge that they begin on and by their vector
 ///   108   links by the centroid of a cell, by the edges that they join: 42 pairs of edges both
 ///         ways, 24 pairs one way only
 ///
-/// Links of the first queues stay within a slice; those from `first_rising_queue` on reach the next
-/// slice. The two queues of a link that is used both ways differ in their lowest bit.
+/// Links of the first queues stay within a slice; links from `first_rising_queue` on reach the next
+/// slice. The two queues of a link that is used in both directions differ in their lowest bit.
 constexpr int queue_count = 144;
 constexpr int first_rising_queue = 76;
 
@@ -62,16 +62,16 @@ constexpr int first_rising_queue = 76;
 class Way {
  public:
   constexpr Way() = default;
-  /// queue: of the chains that go from the vertex.
+  /// queue: of the chains that leave the vertex.
   constexpr Way(Link link, uint8_t queue, bool is_ahead)
       : queue_(queue), link_(static_cast<uint8_t>(link | (is_ahead ? ahead : 0))) {}
 
-  /// By a centroid: from there to the other vertex.
+  /// For a link by a centroid: the second part, from the centroid to the other vertex.
   constexpr Link link() const { return link_ & (ahead - 1); }
   /// Whether the other vertex is visited later.
   constexpr bool is_ahead() const { return link_ >= ahead; }
-  /// The queues of the chains that leave along the ray and that arrive along it. If there are never
-  /// any, a queue of other chains.
+  /// Return the queues of the chains that leave along the ray and that arrive along it. If there
+  /// are no such chains, the result is a queue of other chains.
   constexpr uint8_t queue_out() const { return queue_; }
   constexpr uint8_t queue_in() const { return queue_ ^ 1; }
 
@@ -81,13 +81,13 @@ class Way {
   uint8_t link_ = 0;
 };
 
-/// The ways of a quadrant: along its spoke by its edge (see CellAtVertex), and on its face
-/// straight, down or up the axis.
+/// The ways of a quadrant: along its spoke, by edge (see CellAtVertex), and on its face straight,
+/// down or up the axis.
 constexpr int ways = cell_edges + 3;
 constexpr uint8_t straight_way = cell_edges, downward_way = cell_edges + 1,
                   upward_way = cell_edges + 2;
 
-/// What depends on the axis of an edge.
+/// Values that depend on the axis of an edge.
 struct AxisTable {
   Way way[quadrants][ways];
   Link inwards[quadrants];              ///< from the vertex to the centroid
@@ -101,9 +101,9 @@ DISCMC_ALWAYS_INLINE constexpr uint32_t mirrored(uint32_t lines) {
 }
 
 /// The counts of cells. Every vertex adds a part for each of its four cells. The parts of all
-/// vertices of a cell add up to one cell, its facets, and its triangles of classic Marching Cubes.
+/// vertices of a cell add up to one cell, its facets, and its classic Marching Cubes triangles.
 struct CountParts {
-  // The units of one, and the bits of a word that hold their sum over four cells.
+  // The parts of a whole, and the bits of a word for their sum over four cells.
   static constexpr uint32_t cell = 2520, facet = 12, triangle = 420;
   static constexpr uint32_t facet_shift = 12, triangle_shift = 18;
 };

@@ -1,10 +1,10 @@
-// The slots of the pool: ends that wait, the runs of fragments, and holes.
+// The slots of the pool: waiting ends, runs of fragments, and holes.
 //
-// A fragment is a piece of a chain whose two ends wait for later vertices. The chain leaves at the
-// tail of the fragment and arrives at its begin. The side in progress at either end has no length
-// yet. The end holds its direction, and the place where it starts (tail) or stops (begin). The
-// sides between are runs, in a circular list of slots. The tail holds the last slot of the list; if
-// the tail is loose, the begin does. So a fragment of k corners has k - 1 runs.
+// A fragment is a piece of a chain whose two ends wait for later vertices. The chain leaves the
+// fragment at its tail and arrives at its begin. The side in progress at either end has no length
+// yet. The end holds its direction, and the place at which it starts (tail) or stops (begin). The
+// sides between are runs, in a circular list of slots. The tail holds the last slot of the list, or
+// the begin does if the tail is loose. A fragment of k corners therefore has k - 1 runs.
 #ifndef DISCMC_TRACE_SLOTS_HPP
 #define DISCMC_TRACE_SLOTS_HPP
 
@@ -29,7 +29,7 @@ struct NormalPart<NoNormal> {
 
 /// The position of a vertex along any line of links, as one number: 3 x + 2 y + z modulo 8,192.
 /// Every link changes it by 1 to 6. Links along z change it by 2, because sides may be longest
-/// there.
+/// along z.
 using Place = uint32_t;
 
 constexpr uint32_t place_bits = 13;
@@ -71,8 +71,8 @@ constexpr Run long_run(ShortRun run) {
   return Run::from_code(run);
 }
 
-/// The mate of an end whose other end is loose. A begin holds the direction of the previous link in
-/// the lowest bits.
+/// The mate of an end whose other end is loose. The lowest bits of a begin hold the direction of
+/// the previous link.
 template <class Index>
 constexpr Index loose_end(Direction incoming = 0) {
   return static_cast<Index>(static_cast<Index>(~Index{7}) | incoming);
@@ -88,12 +88,12 @@ struct Linked {
   Index next;
 };
 
-/// An end that waits. If the mate is no_slot, it is a count of lost ends (queues.hpp).
+/// A waiting end. If the mate is no_slot, the slot is a count of lost ends (queues.hpp).
 template <class Index, class Normal>
-struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal where the side starts
+struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal at the start of its side
   Side side;
   Index mate;  // the fragment's other end, or is_loose()
-  Index last;  // of the fragment's runs
+  Index last;  // of the fragment's run list
 };
 
 /// Up to three runs of a fragment, in order. Unused runs are 0, before or after the others.
@@ -106,17 +106,17 @@ struct RunSlot : Linked<Index> {
   Entry entry[entries];
 };
 
-/// A hole that waits for the ring around it: two slots.
+/// A hole that waits for the ring around it, in two slots.
 template <class Index>
 struct Hole : Linked<Index> {
-  Index last;   // of its runs
-  Index start;  // the other slot
+  Index last;   // of its run list
+  Index start;  // index of the other slot
   Incidence incidence;
-  uint8_t is_marked;  // to be delivered next
+  uint8_t is_marked;  // whether it is delivered next
 };
 template <class Index>
 struct HoleStart {
-  uint16_t x, y;  // and one: coordinates in a slice are -1 to 65,531
+  uint16_t x, y;  // plus one, because coordinates in a slice are -1 to 65,531
   uint16_t z[2];  // lower and upper half
 
   void set(const Vertex& v) {
@@ -131,9 +131,9 @@ struct HoleStart {
 /// With 32-bit indices: a node of a tree, with a note of a side before it (RingTree).
 template <>
 struct Hole<uint32_t> {
-  uint32_t number;  // in the order in which holes closed, modulo 2^32
-  uint32_t last;    // of its runs
-  uint32_t start;   // the other slot
+  uint32_t number;  // order in which holes closed, modulo 2^32
+  uint32_t last;    // of its run list
+  uint32_t start;   // index of the other slot
   uint32_t bits;    // 0-4 incidence, 5-7 first direction, 8 noted, 9 leads inside, 10-31 crossing
 
   void set(Incidence incidence, Direction first) { bits = uint32_t{first} << 5 | incidence; }
@@ -150,7 +150,7 @@ struct Hole<uint32_t> {
 };
 template <>
 struct HoleStart<uint32_t> {
-  uint16_t x, y;  // and one
+  uint16_t x, y;  // plus one
   int32_t z;
   uint32_t left, right;  // in the tree
 

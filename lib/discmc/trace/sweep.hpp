@@ -1,5 +1,5 @@
-// The sweep: hands the passes at the vertices of a row to the fragments. It may be suspended
-// between any two of them.
+// The sweep sends the passes at the vertices of a row to the fragments. It may be suspended between
+// any two passes.
 #ifndef DISCMC_TRACE_SWEEP_HPP
 #define DISCMC_TRACE_SWEEP_HPP
 
@@ -14,8 +14,8 @@ class Sweep {
  public:
   static constexpr bool is_lean = lean;
 
-  /// Takes its part of the arena, and writes nothing there: clear() does. The slots come last, so
-  /// that those never used are behind all that is in use.
+  /// Allocates its part of the arena, and writes nothing there; clear() does. The slots come last,
+  /// so that slots that were never used are behind all others.
   void start(Arena& arena, const Capacities& capacities) {
     auto* const queues = arena.allocate<Queue<Index>>(queue_count);
     auto* const holes = arena.allocate<Index>(detail::sizing::hole_lists<Index>);
@@ -34,14 +34,15 @@ class Sweep {
   const Fragments<Index, Normal>& fragments() const { return fragments_; }
   const Delivery<Index, Normal, !is_lean>& delivery() const { return delivery_; }
 
-  /// Sweeps a row, or continues it. False when the sink is busy: call again.
+  /// Sweeps a row, or continues it. Returns false if the sink is busy: call again.
   template <class Intake>
   bool sweep(const SweptRow& row, const Intake& intake, const Sink& sink, Statistics& statistics);
 
-  /// Delivers what may wait of the rows that were swept. As sweep().
+  /// Delivers pending events of swept rows. Returns like sweep().
   bool flush(const Sink&, Statistics&) { return true; }
 
-  /// After the last vertex: delivers holes that still wait, loose. As sweep().
+  /// Delivers holes that still wait as loose fragments, after the last vertex. Returns like
+  /// sweep().
   bool settle_holes(const Sink& sink, Statistics& statistics) {
     return delivery_.settle_holes(fragments_, sink, statistics);
   }
@@ -51,16 +52,16 @@ class Sweep {
   bool process_passes(const SweptRow& row, const Intake& intake, const Sink& sink,
                       Statistics& statistics);
 
-  bool chains_are_ended_ = false;  // at the row under way above a slab
+  bool chains_are_ended_ = false;  // in the current row above a slab
   DerivedPasses passes_;
   SweepCounts counts_;
   Fragments<Index, Normal> fragments_;
   Delivery<Index, Normal, !is_lean> delivery_;
 };
 
-// Rows below a slab are not swept: chains from there are lost. Rows above it are swept twice, as an
-// end does not hold its vertex. The first time, rising chains end at their vertices. The second
-// time, descending chains begin there.
+// Rows below a slab are not swept: chains from there are lost. Rows above it are swept twice,
+// because an end does not hold its vertex. In the first sweep, rising chains end at their vertices.
+// In the second sweep, descending chains begin there.
 template <class Index, class Normal, bool lean>
 template <class Intake>
 bool Sweep<Index, Normal, lean>::sweep(const SweptRow& row, const Intake& intake, const Sink& sink,

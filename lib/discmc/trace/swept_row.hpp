@@ -1,7 +1,7 @@
-// A row of voxels as a sweep sees it: the crossing edges along it, and what takes part around them.
+// A row of voxels for the sweep: its crossing edges, and the participating cells around them.
 //
-// A vertex is visited with the voxel at the lower end of its edge. Voxels are visited as they come,
-// and the edges of each in the order of their axes.
+// A vertex is visited with the voxel at the lower end of its edge. Voxels are visited in order of
+// arrival, and the edges of each in the order of their axes.
 #ifndef DISCMC_TRACE_SWEPT_ROW_HPP
 #define DISCMC_TRACE_SWEPT_ROW_HPP
 
@@ -11,30 +11,31 @@
 
 namespace discmc::detail::trace {
 
-/// Which slice a row is of.
+/// The slice of a row, relative to a slab.
 enum class SlabRole : uint8_t {
   inside,
-  first_of_slab,  ///< what comes up to it is another slab's
-  below_slab,     ///< the slice of context below a slab
-  above_slab,     ///< and that above
+  first_of_slab,  ///< chains from below belong to another slab
+  below_slab,     ///< the context slice below a slab
+  above_slab,     ///< the context slice above a slab
 };
 
-/// A row of voxels and what of its surroundings takes part.
+/// A row of voxels and its participating surroundings.
 struct SweptRow {
   RowBlock around;
   uint32_t words;
   uint32_t width;
   int32_t y, z;
-  uint32_t absent_rows;  ///< rows of cells (CellRowBits) that take no part
+  uint32_t absent_rows;  ///< rows of cells (CellRowBits) that do not participate
   SlabRole role;
-  bool has_open_ends;           ///< its first and its last column are those of an open border
+  bool has_open_ends;           ///< whether its first and last columns are those of an open border
   bool has_y, has_z;            ///< whether edges along y and z are visited
-  uint8_t absent_quadrants[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
+  uint8_t absent_quadrants[3];  ///< by axis of an edge: quadrants whose row of cells does not
+                                ///< participate
 
   /// Whether the slice is not context.
   bool is_own() const { return role <= SlabRole::first_of_slab; }
-  /// Sets the members that follow from absent_rows. If no cells behind take part, no edges along y
-  /// are visited; if no cells above, none along z.
+  /// Sets the members that follow from absent_rows. Edges along y are visited if cells behind
+  /// participate, edges along z if cells above do.
   void set_absent_quadrants() {
     has_y = (absent_rows & CellRowBits::back) != CellRowBits::back;
     has_z = (absent_rows & CellRowBits::above) != CellRowBits::above;
@@ -45,7 +46,7 @@ struct SweptRow {
     absent_quadrants[1] = static_cast<uint8_t>(9 * back_above | 6 * back_below);
     absent_quadrants[2] = static_cast<uint8_t>(3 * back_above | 12 * front_above);
   }
-  /// Quadrants without a cell around an edge of the voxel at x, a bit each.
+  /// Returns a bit per quadrant without a cell around an edge of the voxel at x.
   uint32_t absent_at(int axis, uint32_t x) const {
     uint32_t absent = absent_quadrants[axis];
     if (!has_open_ends || (x != 0 && x + 1 != width) || axis == 0) return absent;
@@ -54,25 +55,25 @@ struct SweptRow {
     if (x + 1 == width) absent |= before ^ 15;
     return absent;
   }
-  /// The vertex on an edge of the voxel at x (-1 wraps).
+  /// Returns the vertex on an edge of the voxel at x (-1 wraps).
   Vertex vertex(int axis, uint32_t x) const {
     return {2 * static_cast<int32_t>(x) + (axis == 0 ? 1 : 0), 2 * y + (axis == 1 ? 1 : 0),
             2 * z + (axis == 2 ? 1 : 0)};
   }
 };
 
-/// The voxel's place in its row, of a bit of a word. -1 wraps.
+/// Returns the column of a voxel, by its word and bit. -1 wraps.
 constexpr uint32_t column_of(uint32_t word, uint32_t bit) {
   return word * columns_per_word + bit - 2;
 }
 
-/// Bits of the voxels in a word whose edges cross, by axis.
+/// The voxels in a word whose edges cross, by axis.
 struct Crossings {
   uint32_t of[3];
 
   uint32_t voxels() const { return of[0] | of[1] | of[2]; }
 
-  /// False when there are none, and then nothing changes.
+  /// Returns false if there are none; then nothing changes.
   template <bool has_absent_cells = true>
   bool find(const SweptRow& row, uint32_t word) {
     const auto& rows = row.around.row;
@@ -89,7 +90,7 @@ struct Crossings {
   }
 };
 
-/// Counts of cells, out of the parts that vertices add (CountParts).
+/// Counts cells from the parts that vertices add (CountParts).
 class SweepCounts {
  public:
   void add(uint32_t parts) {
@@ -102,14 +103,14 @@ class SweepCounts {
     facets_ += facets;
     triangles_ += triangles;
   }
-  /// Moves what is whole to the statistics.
+  /// Moves whole counts to the statistics.
   void add_to(Statistics& statistics) {
     translate(cells_, CountParts::cell, statistics.cells);
     translate(facets_, CountParts::facet, statistics.facets);
     translate(triangles_, CountParts::triangle, statistics.classic_triangles);
   }
 
-  /// What is not a whole triangle, after add_to().
+  /// Returns the parts that do not make a whole triangle, after add_to().
   uint32_t triangle_parts() const { return triangles_; }
 
  private:
