@@ -1,4 +1,4 @@
-// What nearly every test includes: doctest, and these headers of the standard library.
+// Headers for nearly every test: doctest, and some of the standard library.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -17,8 +17,8 @@ inline size_t link_count(const std::vector<Region>& regions) {
   return links;
 }
 
-/// Empty when the regions of a sweep that lacks nothing are `merged`, which is canonical, ring for
-/// ring.
+/// Returns an empty text if the regions of a complete sweep equal `merged`, which is canonical,
+/// ring for ring.
 inline std::string unlike_regions(const std::vector<Region>& swept,
                                   const std::vector<Region>& merged) {
   const std::vector<Region> simple = canonical(simple_rings(swept));
@@ -26,13 +26,14 @@ inline std::string unlike_regions(const std::vector<Region>& swept,
   return link_count(swept) == link_count(merged) ? "" : "a slit";
 }
 
-/// The same for the regions that the paper's Merge finds in a volume.
+/// Likewise compares with the regions that the paper's Merge finds in a volume.
 inline std::string unlike_merge(const std::vector<Region>& swept, const BitVolume& volume,
                                 bool is_closed) {
   return unlike_regions(swept, canonical(merge(volume, is_closed)));
 }
 
-/// Empty when the totals of cells, facets and triangles are those of the volume's cells.
+/// Returns an empty text if the totals of cells, facets and triangles equal those of the volume's
+/// cells.
 inline std::string miscounted(const Collector& collector, const BitVolume& volume, bool is_closed) {
   uint64_t cells = 0, facets = 0, triangles = 0;
   for_each_cell(volume, is_closed, [&](const Vertex&, Configuration configuration) {
@@ -46,8 +47,8 @@ inline std::string miscounted(const Collector& collector, const BitVolume& volum
   return statistics.classic_triangles == triangles ? "" : "other triangles counted";
 }
 
-/// Empty if the regions of a sweep, however cut, form the surface of the volume. Every plane must
-/// have the same area and boundary, and only open borders leave unpaired links.
+/// Returns an empty text if the regions of a sweep, however cut, form the surface of the volume.
+/// Every plane must have an equal area and boundary, and only open borders leave unpaired links.
 inline std::string unlike_surface(const std::vector<Region>& swept, const BitVolume& volume,
                                   bool is_closed) {
   const Surface surface = surface_of(swept);

@@ -8,8 +8,8 @@
 
 namespace discmc::reference {
 
-/// The vectors may have any length. Uses sine and cosine, as neither alone is exact everywhere.
-/// Units: degrees.
+/// Returns the angle between vectors of any length. Uses sine and cosine, because neither alone is
+/// exact everywhere. Units: degrees.
 inline double degrees_between(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   const double sine =
       std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);

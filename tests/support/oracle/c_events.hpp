@@ -1,4 +1,4 @@
-// Shared by the tests of the C API: its events as those of C++, and memory for objects.
+// Shared by the tests of the C API: converts its events to C++, and allocates memory for objects.
 #pragma once
 
 #include <discmc/discmc.h>
@@ -58,7 +58,7 @@ inline RecordedEvent from_c(const discmc_event& event) {
   return RecordedEvent(same);
 }
 
-/// An EventLog as a sink of C's. Owner: the log must outlive the sink.
+/// An EventLog as a sink of the C API. Owner: the log must outlive the sink.
 inline discmc_sink c_sink_to(EventLog& log) {
   const auto take = [](void* context, const discmc_event* event) {
     const SinkResult answer = static_cast<EventLog*>(context)->accept(from_c(*event).event());
@@ -67,7 +67,7 @@ inline discmc_sink c_sink_to(EventLog& log) {
   return {&log, take};
 }
 
-/// Calls again while it is suspended.
+/// Repeats a call while it is suspended.
 template <class Call>
 discmc_status completed(discmc_status status, Call call) {
   while (status == DISCMC_SUSPENDED) status = call();

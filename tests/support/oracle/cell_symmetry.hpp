@@ -1,4 +1,4 @@
-// The 48 ways to map a cell onto itself, for statements that hold of turned and mirrored cells.
+// The 48 ways to map a cell onto itself, for statements that hold for turned and mirrored cells.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@ struct CellSymmetry {
   std::array<int, 3> axis;
   int reflected;  ///< bit i: the coordinate of axis i runs backwards
 
-  /// A mirror image turns every ring round; a rotation does not.
+  /// A mirror image reverses every ring; a rotation does not.
   bool is_mirror() const {
     const bool is_odd = (axis[1] - axis[0] + 3) % 3 != 1;
     const int reflections = (reflected & 1) + (reflected >> 1 & 1) + (reflected >> 2);
     return is_odd != (reflections % 2 == 1);
   }
 
-  /// Maps a vector, which has no place.
+  /// Maps a vector, which has no position.
   Vertex vector(const Vertex& v) const {
     const std::array<int32_t, 3> from{v.x, v.y, v.z};
     std::array<int32_t, 3> to{};

@@ -15,7 +15,7 @@ namespace discmc::test {
 
 using namespace discmc::reference;
 
-/// Where the bytes of a stream go: all of them, or at most some at a time with pauses in between.
+/// The receiver of a stream's bytes: accepts all, or at most some at a time with pauses.
 struct Store {
   Bytes bytes;
   size_t most = SIZE_MAX;
@@ -34,7 +34,7 @@ struct Store {
   }
 };
 
-/// What a device has written down, as one string of bytes, as a flash holds it.
+/// The saved state of a device, as one string of bytes, as in flash.
 using Image = Bytes;
 
 inline Image image_of(const std::vector<Memory>& parts) {
@@ -45,13 +45,13 @@ inline Image image_of(const std::vector<Memory>& parts) {
   }
   return image;
 }
-/// Reads it back; what comes behind its end stays as it is.
+/// Reads the image back; memory beyond its end is unchanged.
 inline void read_back(const Image& image, const std::vector<Memory>& parts) {
   const uint8_t* next = image.data();
   const uint8_t* const end = next + image.size();
   for (const Memory& part : parts) {
     const size_t count = std::min(part.bytes, static_cast<size_t>(end - next));
-    unpoison(part.data, count);  // as the store does
+    unpoison(part.data, count);  // as the checkpoint store does
     std::copy_n(next, count, static_cast<uint8_t*>(part.data));
     next += count;
   }
@@ -67,7 +67,7 @@ Status move_scan(Scanner& from, Scanner& to, Memory memory, const Sink& sink) {
   return to.restore(memory, sink);
 }
 
-/// The first bit of an image whose flip a device does not find out, or the number of its bits.
+/// Returns the first bit of an image whose flip the device does not detect, or the number of bits.
 template <class AnyDevice>
 size_t first_unnoticed_flip(const Image& image, AnyDevice& device) {
   for (size_t bit = 0; bit < 8 * image.size(); bit += reference::step(7)) {
@@ -90,7 +90,7 @@ class Device {
     require_ok(extractor_.start(limits_, 1, block_.memory(), make_sink(encoder_)));
   }
 
-  /// Pushes rows up to that of a number, counted through all slices.
+  /// Pushes rows up to a row number, counted through all slices.
   void scan_to(uint32_t end) {
     uint32_t row = extractor_.slices() * volume_.height + extractor_.rows();
     for (; row < end; ++row) {
@@ -114,7 +114,7 @@ class Device {
     require_ok(extractor_.save(&parts[1]));
     return parts;
   }
-  /// The memory into which they are read back.
+  /// Returns the memory for reading the parts back.
   std::vector<Memory> parts() {
     return {memory_of(encoder_), memory_of(extractor_), block_.memory()};
   }
@@ -130,7 +130,7 @@ class Device {
     return restore_parts();
   }
 
-  /// The bytes of stream before what comes next.
+  /// Returns the number of bytes of the stream so far.
   uint64_t position() const { return encoder_.bytes(); }
 
   Store store;

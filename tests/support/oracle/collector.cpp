@@ -22,7 +22,7 @@ int32_t top(const Region& region) {
   return z;
 }
 
-// Exact: coordinates in x and y fit 16 bits once they start at 0.
+// The key is exact, because coordinates in x and y fit 16 bits once they start at 0.
 uint64_t key_of(const Vertex& vertex) {
   const auto bits = [](int32_t coordinate) {
     return static_cast<uint64_t>(coordinate + int64_t{1});
@@ -40,7 +40,7 @@ void add_simple(const Ring& ring, std::vector<Ring>& rings) {
   if (ring.size() > 2) rings.push_back(ring);
 }
 
-// Walks the ring. When a vertex recurs, the loop since its first visit is a ring of its own.
+// Walks the ring. If a vertex recurs, the loop since its first visit becomes a separate ring.
 void split(const Ring& ring, std::vector<Ring>& rings) {
   if (!recurs(ring)) return add_simple(ring, rings);
   Ring path;
@@ -150,7 +150,7 @@ void Collector::end_region() {
   require(place_ == Place::ring, "a region ends without a ring");
   end_ring();
   const int64_t z = top(region_);
-  const int64_t last = int64_t{slice()} - 1;  // layer mark
+  const int64_t last = int64_t{slice()} - 1;  // of the layer mark
   require(z >= 2 * last, "a region that the last layer mark promised to be over");
   require(z <= 2 * (last + 1), "a region beyond the slices seen");
   rings_ += region_.rings.size();

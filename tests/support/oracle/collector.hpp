@@ -1,7 +1,7 @@
 // A sink for tests: assembles the regions of a scan and verifies everything.
 //
-// Every event is checked against the grammar of sink.hpp and against what the events before it
-// promised. Loose fragments are checked and kept, not joined (naive_join.hpp).
+// Checks every event against the grammar of sink.hpp, and against the promises of earlier events.
+// Loose fragments are checked and kept, not joined (naive_join.hpp).
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 
 namespace discmc::reference {
 
-/// Thrown out of Collector::accept() when the sender breaks the grammar or a promise.
+/// Thrown by Collector::accept() if the sender breaks the grammar or a promise.
 struct GrammarError : std::logic_error {
   using std::logic_error::logic_error;
 };
 
 struct LayerMark {
   uint32_t slice;
-  size_t regions;  ///< delivered before the mark
+  size_t regions;  ///< number delivered before the mark
 };
 
 struct SkippedRow {
@@ -38,12 +38,12 @@ struct Fragment {
   std::vector<Run> runs;
 };
 
-/// Collects one scan. The regions have sweep rings, in the order in which they came.
+/// Collects one scan. The regions have sweep rings, in the order of arrival.
 class Collector {
  public:
   explicit Collector(const Slab& slab = {}) : slab_(slab) {}
 
-  /// Always answers `taken`. Errors: throws GrammarError.
+  /// Always returns `accepted`. Errors: throws GrammarError.
   SinkResult accept(const Event& event);
 
   /// Owner: the collector must outlive the sink.
@@ -54,11 +54,11 @@ class Collector {
   const std::vector<SkippedRow>& skipped() const { return skipped_; }
   bool is_finished() const { return place_ == Place::over; }
   bool was_abandoned() const { return was_abandoned_; }
-  /// The statistics of the finish event. Limit: is_finished().
+  /// Returns the statistics of the finish event. Limit: is_finished().
   const Statistics& statistics() const { return statistics_; }
-  /// In the order in which they came.
+  /// Returns loose fragments in the order of arrival.
   const std::vector<Fragment>& loose() const { return loose_; }
-  /// Neighbouring runs of one direction that could have been one run, in one ring or fragment.
+  /// Returns the number of neighbouring runs that could have been one run, in one ring or fragment.
   uint64_t split_sides() const { return split_sides_; }
 
  private:
@@ -74,8 +74,7 @@ class Collector {
   void add_skipped(const Event& event);
   void add_layer(const Event& event);
   void finish(const Event& event);
-  /// The slice whose layer mark comes next.
-  // The slice that is under way, and the slices that were marked, but for those of context.
+  /// Returns the index of the current slice, which the next layer mark closes.
   uint32_t slice() const {
     return slab_.first - (slab_.continues_below ? 1U : 0U) + static_cast<uint32_t>(layers_.size());
   }
@@ -93,7 +92,7 @@ class Collector {
   Direction came_ = 0;
   bool hole_ = false;
   Run last_run_{};
-  std::vector<Run> runs_;  // of the ring or fragment under way
+  std::vector<Run> runs_;  // of the current ring or fragment
 
   std::vector<Region> regions_;
   std::vector<Fragment> loose_;
@@ -106,11 +105,11 @@ class Collector {
   uint64_t split_sides_ = 0;
 };
 
-/// The vertices where the links of runs start.
+/// Returns the vertices at which the links of runs start.
 Ring vertices_of(Incidence incidence, Vertex vertex, const std::vector<Run>& runs);
 
-/// The simple rings of regions with sweep rings. Every ring is split where a vertex recurs, rings
-/// of two links are dropped, and the outer ring comes first.
+/// Returns the simple rings of regions with sweep rings. Splits every ring at recurring vertices,
+/// drops rings of two links, and puts the outer ring first.
 std::vector<Region> simple_rings(const std::vector<Region>& regions);
 
 }  // namespace discmc::reference

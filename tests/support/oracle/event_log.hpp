@@ -1,4 +1,4 @@
-// The recorder of events: a sink that keeps accepted events as values that compare.
+// A sink that records accepted events as comparable values.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ inline bool are_equal(const StreamHeader& a, const StreamHeader& b) {
          a.surface_count == b.surface_count;
 }
 
-/// Calls add(number) with the contents of an event: its kind, then only the members of its kind.
+/// Calls add(number) with the contents of an event: its kind, then only the members of that kind.
 template <class Add>
 void for_each_number(const Event& event, Add add) {
   const auto add_all = [&](auto... values) { (add(static_cast<uint64_t>(values)), ...); };
@@ -49,7 +49,7 @@ void for_each_number(const Event& event, Add add) {
     case Event::Kind::ring:
       return add_all(event.start.x, event.start.y, event.start.z, event.is_hole);
     case Event::Kind::run:
-      // In one number, which without a normal is the run alone.
+      // One number holds run and normal; without a normal it equals the run.
       return add_all(uint64_t{event.run.code()} | uint64_t{event.normal.u} << 32 |
                      uint64_t{event.normal.v} << 40);
     case Event::Kind::fragment:
@@ -72,7 +72,7 @@ void for_each_number(const Event& event, Add add) {
   }
 }
 
-/// An event as a value. Two events are equal if their contents are.
+/// An event as a value. Two events are equal if their contents are equal.
 class RecordedEvent {
  public:
   explicit RecordedEvent(const Event& event) : event_(event) {
@@ -102,7 +102,7 @@ class RecordedEvent {
   bool operator!=(const RecordedEvent& other) const { return !(*this == other); }
 
  private:
-  // Zeros behind the last. A start has the most.
+  // Unused numbers are zero. A start has the most.
   std::array<uint64_t, 13> numbers() const {
     std::array<uint64_t, 13> all{};
     size_t count = 0;
@@ -113,20 +113,20 @@ class RecordedEvent {
   Event event_;
   Statistics statistics_{};
   StreamHeader header_;
-  mutable ApplicationRecord application_;  // whose bytes follow the vector
+  mutable ApplicationRecord application_;  // its bytes are after the vector
   std::vector<uint8_t> bytes_;
 };
 
 using Events = std::vector<RecordedEvent>;
 
-/// Refuses every offer once, so that all is taken when it is offered for the second time.
+/// Refuses every offer once, so that the second offer is accepted.
 inline bool refuses_first(uint64_t offer) {
   return offer % 2 == 0;
 }
 
-/// Refuses an offer if `refuses(number of the offer)`, and records the others. It accepts all
-/// starts, and stores their headers separately. Errors: throws GrammarError if another event
-/// follows a refused one, or if the events do not end.
+/// Refuses an offer if `refuses(number of the offer)`, and records the others. Accepts all starts,
+/// and stores their headers separately. Errors: throws GrammarError if another event follows a
+/// refused one, or if the events do not end.
 class EventLog {
  public:
   using Refuses = std::function<bool(uint64_t offer)>;
@@ -163,17 +163,18 @@ class EventLog {
   Refuses refuses_;
   uint64_t offers_ = 0;
   uint64_t refusals_ = 0;
-  std::optional<RecordedEvent> refused_;  // the last, until it is offered again
+  std::optional<RecordedEvent> refused_;  // the last refused event, until it is offered again
 };
 
-/// The events, put together by a Collector. Errors: throws GrammarError.
+/// Collects the events with a Collector. Errors: throws GrammarError.
 inline Collector collected(const Events& events, const Slab& slab = {}) {
   Collector collector(slab);
   for (const RecordedEvent& event : events) (void)collector.accept(event.event());
   return collector;
 }
 
-/// The output of a slab without its order: regions, loose fragments and counts, as numbers.
+/// Returns the regions, loose fragments and counts of a slab as sorted numbers, independent of
+/// their order.
 inline std::vector<std::vector<uint64_t>> sorted_parts(const Events& events) {
   std::vector<std::vector<uint64_t>> parts(1);
   for (const RecordedEvent& event : events) {

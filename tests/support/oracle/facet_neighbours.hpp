@@ -1,13 +1,13 @@
-// The facet on the other side of an edge: how regions are merged by the paper.
+// Finds the facet on the other side of an edge, by which the paper merges regions.
 #pragma once
 
 #include <discmc/geometry/facet_table.hpp>
 
 namespace discmc::reference {
 
-/// What lies on the other side of a facet's edge when it belongs to the same plane.
+/// The facet on the other side of a facet's edge, if it belongs to the same plane.
 struct Neighbour {
-  Vertex cell;  ///< the cell it lies in, as an offset in cells; (0, 0, 0) for the same cell
+  Vertex cell;  ///< its cell, as an offset in cells; (0, 0, 0) for the same cell
   Facet facet;
 };
 
@@ -18,9 +18,9 @@ inline bool has_edge(const FacetRing& ring, const Vertex& from, const Vertex& to
   return false;
 }
 
-/// The facet of the same incidence that shares edge `edge` (from point edge of the facet's ring to
-/// the next) with `facet`. It is unique, whether or not a given configuration contains it.
-/// Limit: edge < facet_rings.ring[facet].count. Cost: a search.
+/// Returns the facet of equal incidence that shares edge `edge` (from point edge of the facet's
+/// ring to the next) with `facet`. It is unique, whether or not a configuration contains it. Limit:
+/// edge < facet_rings.ring[facet].count. Cost: a search.
 inline Neighbour across_edge(Facet facet, int edge) {
   constexpr Vertex cells[] = {{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0},
                               {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};

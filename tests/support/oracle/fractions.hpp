@@ -1,4 +1,4 @@
-// The fractions of a volume by their definition, from its samples.
+// Computes the fractions of a volume from its samples, by definition.
 #pragma once
 
 #include <cstdlib>
@@ -18,7 +18,7 @@ struct SampleVolume {
   }
 };
 
-/// The distance that represents all distances of an octave. Units: halves, as the argument.
+/// Returns the distance that represents all distances of an octave. Units: halves, as the argument.
 inline uint64_t middle_of_octave(uint64_t distance) {
   const uint64_t whole = distance / 2;
   uint64_t octave = 0;
@@ -26,8 +26,8 @@ inline uint64_t middle_of_octave(uint64_t distance) {
   return octave == 0 ? 1 : uint64_t{3} << (octave - 1);
 }
 
-/// In which of the levels the surface crosses the edge between two samples, in eighths from the
-/// lower one; 0 if it does not. The isovalue is threshold - 1/2.
+/// Returns the level at which the surface crosses the edge between two samples, in eighths from the
+/// lower one; 0 if it does not cross. The isovalue is threshold - 1/2.
 inline uint32_t fraction_between(int64_t lower, int64_t upper, int64_t threshold, uint32_t levels,
                                  bool is_lower_rounded) {
   const bool upper_is_on = upper >= threshold;
@@ -43,7 +43,7 @@ inline uint32_t fraction_between(int64_t lower, int64_t upper, int64_t threshold
   return upper_is_on ? eighths : 8 - eighths;
 }
 
-/// The entries of a row.
+/// Returns the entries of a row.
 template <class Sample>
 std::vector<uint16_t> fractions_of_row(const SampleVolume<Sample>& volume, int32_t threshold,
                                        uint32_t levels, uint32_t y, uint32_t z) {
@@ -61,7 +61,7 @@ std::vector<uint16_t> fractions_of_row(const SampleVolume<Sample>& volume, int32
   return entries;
 }
 
-/// A volume of samples that has these bits with threshold 100.
+/// Returns a volume of samples with these bits at threshold 100.
 inline SampleVolume<uint8_t> samples_with(const BitVolume& bits) {
   SampleVolume<uint8_t> volume{{bits.width, bits.height, bits.depth}, {}};
   uint32_t noise = 1;

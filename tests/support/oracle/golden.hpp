@@ -1,4 +1,4 @@
-// The streams of tests/support/golden, and how a stream that differs is shown.
+// Reads the streams of tests/support/golden, and shows how another stream differs.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Volumes of samples, and their gradient by its definition.
+// Volumes of samples, and their gradient by definition.
 #pragma once
 
 #include <array>
@@ -24,8 +24,9 @@ struct SampleVolume {
   }
 };
 
-/// The gradient at a vertex: the mean of the differences at the voxels that it lies between,
-/// central, or one-sided at the outermost voxels. Zero outside the volume. Units: samples a voxel.
+/// Returns the gradient at a vertex: the mean of the differences at the voxels around it.
+/// Differences are central, or one-sided at the outermost voxels. Zero outside the volume. Units:
+/// samples per voxel.
 template <class Sample>
 std::array<double, 3> gradient(const SampleVolume<Sample>& volume, const Vertex& vertex) {
   const std::array<int64_t, 3> most = {int64_t{volume.size.width} - 1,

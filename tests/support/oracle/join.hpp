@@ -1,4 +1,4 @@
-// Runs events through a joiner, in memory of exactly its size.
+// Runs events through a joiner in memory of its exact size.
 #pragma once
 
 #include <discmc/joiner.hpp>
@@ -23,7 +23,7 @@ struct JoinPlan {
   EventLog::Refuses refuses{};
 };
 
-/// Room for all the fragments among events at once.
+/// Returns room for all fragments of the events at once.
 inline JoinCapacities enough_for(const Events& events) {
   JoinCapacities capacities{1, 1};
   for (const RecordedEvent& event : events) {
@@ -33,8 +33,8 @@ inline JoinCapacities enough_for(const Events& events) {
   return capacities;
 }
 
-/// Offers every event until it is taken, then finishes. Errors: throws when the joiner is stuck, or
-/// takes something later than its sink, breaks a promise, or writes outside its memory.
+/// Offers every event until it is accepted, then finishes. Errors: throws if the joiner does not
+/// progress, accepts an event later than its sink, breaks a promise, or writes outside its memory.
 inline Joined join_all(const Events& events, const JoinPlan& plan) {
   const int max_tries = plan.refuses ? 1 << 20 : 1;
   Block block(Joiner::bytes_for(plan.capacities), Block::Kind::guarded);

@@ -1,4 +1,4 @@
-// A host that begins with the least room, so that its queues and areas of nodes grow all the time.
+// A host with the smallest memory, so that its queues and areas of nodes grow all the time.
 #pragma once
 
 #include "host/host_extractor.hpp"

@@ -1,4 +1,4 @@
-// Surfaces as events with loose fragments in them, as a sweep may send them, and back again.
+// Converts surfaces to events with loose fragments, as a sweep may send them, and back.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 
 namespace discmc::reference {
 
-/// A region or a loose fragment: its events from the first to the last.
+/// The events of a region or a loose fragment, from the first to the last.
 struct Piece {
   Events events;
-  size_t rank = 0;    ///< its place in a sweep
-  size_t region = 0;  ///< its region or fragment
-  size_t ring = 0;    ///< of the region, when it is a fragment
-  size_t place = 0;   ///< in the ring, among its fragments
+  size_t rank = 0;    ///< its position in a sweep
+  size_t region = 0;  ///< index of its region or fragment
+  size_t ring = 0;    ///< index in the region, for a fragment
+  size_t place = 0;   ///< index among the ring's fragments
   size_t places = 0;
   size_t stream = 0;
 
@@ -29,17 +29,17 @@ struct Piece {
 using Pieces = std::vector<Piece>;
 using Below = std::function<uint32_t(uint32_t limit)>;
 
-/// How the rings of a surface are cut.
+/// The parameters by which the rings of a surface are cut.
 struct Cuts {
-  Below below;                 ///< chance: a number below the limit
+  Below below;                 ///< random source: a number below the limit
   uint32_t loose_outers = 50;  ///< percent of the outer rings
-  uint32_t loose_holes = 50;   ///< percent of the holes of other regions
-  uint32_t max_pieces = 5;     ///< of a ring
+  uint32_t loose_holes = 50;   ///< percent of the other regions' holes
+  uint32_t max_pieces = 5;     ///< per ring
   int32_t slab = 0;            ///< height of the slabs, each a stream; 0: one for all.
                                ///< Units: half-steps
 };
 
-/// A normal that depends on the vertex alone, so that a wrong one is found.
+/// Returns a normal that depends only on the vertex, so that a wrong one is detected.
 inline OctahedralNormal normal_at(const Vertex& vertex) {
   const auto mixed = static_cast<uint32_t>(vertex.x * 73 + vertex.y * 151 + vertex.z * 283);
   return {static_cast<uint8_t>(1 + mixed % 255), static_cast<uint8_t>(mixed / 255)};
@@ -49,8 +49,8 @@ inline Vertex highest(const Ring& ring) {
   return *std::max_element(ring.begin(), ring.end(), before);
 }
 
-/// Cuts the rings of a surface. The pieces are in the order of a sweep, those of other streams
-/// between them.
+/// Cuts the rings of a surface. The pieces have the order of a sweep, and pieces of other streams
+/// are interleaved.
 class Cutter {
  public:
   Cutter(const std::vector<Region>& regions, Cuts cuts)
@@ -70,7 +70,7 @@ class Cutter {
 
   const Ring& ring_of(const RingName& name) const { return regions_[name.region].rings[name.ring]; }
 
-  // Inner polygons come before the outer ones around them.
+  // Ranks inner polygons before the outer ones around them.
   void rank_rings() {
     std::vector<RingName> names;
     for (size_t region = 0; region < regions_.size(); ++region)
@@ -89,7 +89,7 @@ class Cutter {
       ranks_[names[rank].region][names[rank].ring] = rank;
   }
 
-  // The slab in which a link is met.
+  // Returns the slab that sends a link.
   size_t stream_of(const Vertex& from, const Vertex& to) const {
     return cuts_.slab == 0 ? 0 : static_cast<size_t>((std::max(from.z, to.z) + 2) / cuts_.slab);
   }
@@ -138,7 +138,7 @@ class Cutter {
     return direction(name, vertex) != direction(name, vertex + ring_of(name).size() - 1);
   }
 
-  // The runs of `count` links from a vertex on.
+  // Adds the runs of `count` links from a vertex on.
   void add_runs(Piece& piece, const RingName& name, size_t first, size_t count) const {
     const Ring& ring = ring_of(name);
     for (size_t link = first; link < first + count;) {
@@ -170,7 +170,7 @@ class Cutter {
     add_runs(piece, name, first, ring_of(name).size());
   }
 
-  // At the seams between slabs, and anywhere.
+  // Returns cuts at the seams between slabs, and at random places.
   std::vector<size_t> places_to_cut(const RingName& name) const {
     const Ring& ring = ring_of(name);
     std::vector<size_t> places;
@@ -186,7 +186,7 @@ class Cutter {
     return places;
   }
 
-  // One of the pieces comes when the ring is complete, the others some time before.
+  // One of the pieces is sent when the ring is complete, the others some time before.
   void add_pieces(const RingName& name) {
     const Ring& ring = ring_of(name);
     const std::vector<size_t> places = places_to_cut(name);
@@ -228,13 +228,13 @@ inline Pieces cut(const std::vector<Region>& regions, const Cuts& cuts) {
   return Cutter(regions, cuts).pieces();
 }
 
-/// Deals pieces in any order.
+/// Shuffles pieces into any order.
 inline void shuffle(Pieces& pieces, const Below& below) {
   for (size_t i = pieces.size(); i > 1; --i)
     std::swap(pieces[i - 1], pieces[below(static_cast<uint32_t>(i))]);
 }
 
-/// Deals the pieces of several streams at random, each in its order.
+/// Interleaves the pieces of several streams at random; each stream keeps its order.
 inline Pieces interleaved(const Pieces& pieces, const Below& below) {
   std::vector<Pieces> streams;
   for (const Piece& piece : pieces) {
@@ -259,8 +259,8 @@ inline Events events_of(const Pieces& pieces) {
   return events;
 }
 
-/// What a sink was given, taken apart again. Errors: throws GrammarError; also where a run starts
-/// at no corner in a region, or has a normal of somewhere else.
+/// Splits the events of a sink into pieces. Errors: throws GrammarError, also if a run of a region
+/// starts at no corner, or has the normal of another place.
 class Delivered {
  public:
   explicit Delivered(const Events& events) {
@@ -270,7 +270,7 @@ class Delivered {
 
   std::vector<Region> regions;
   Pieces fragments;
-  Events marks;  ///< everything else
+  Events marks;  ///< all other events
 
  private:
   static void require(bool holds, const char* broken) {
@@ -347,7 +347,7 @@ class Delivered {
   Events piece_;
   Region region_{};
   Vertex start_{}, at_{};
-  std::vector<Run> runs_;  // of the ring or fragment under way
+  std::vector<Run> runs_;  // of the current ring or fragment
 };
 
 }  // namespace discmc::reference

@@ -27,17 +27,17 @@ struct Hash {
   }
 };
 
-// The facets of one incidence that no region has yet, by cell and shape.
+// The facets of one incidence that belong to no region yet, by cell and shape.
 using HashTable = std::unordered_set<PlacedFacet, Hash>;
 using HashTables = std::array<HashTable, incidence_codes>;
 
-// An edge of a facet: from point `number` of its ring to the next.
+// An edge of a facet, from point `number` of its ring to the next.
 struct Edge {
   PlacedFacet facet;
   int number;
 };
 
-// An edge as it lies in space.
+// An edge by its position in space.
 struct UnitLink {
   Vertex from, to;
 };
@@ -53,7 +53,7 @@ UnitLink link_of(const Edge& edge) {
   return {origin + position(ring.point[edge.number]), origin + position(ring.point[next])};
 }
 
-// The function across_edge() searches, as the paper looks the adjacent shapes up.
+// The results of across_edge(), the paper's table of adjacent shapes.
 using Neighbours = std::array<std::array<Neighbour, 4>, facet_codes>;
 
 Neighbours tabulate_neighbours() {
@@ -75,7 +75,7 @@ void push_edges(std::vector<Edge>& stack, const PlacedFacet& facet) {
     stack.push_back({facet, edge});
 }
 
-// Takes one facet out of the table and grows it over its edges until none leads on. Returns the
+// Removes a facet from the table and grows it across its edges as far as possible. Returns the
 // links at which the growth stopped: the boundary, and both sides of every connecting link.
 std::vector<UnitLink> grow(HashTable& waiting) {
   std::vector<UnitLink> stops;
@@ -90,7 +90,7 @@ std::vector<UnitLink> grow(HashTable& waiting) {
       stops.push_back(link_of(edge));
       continue;
     }
-    // The shared edge is no part of any boundary: leave it off the stack on both sides.
+    // The shared edge is in no boundary, so neither side is pushed.
     for (int other = 0; other < facet_rings.ring[neighbour.facet].count; ++other)
       if (!(neighbour_across({neighbour, other}) == edge.facet))
         stack.push_back({neighbour, other});
@@ -98,7 +98,7 @@ std::vector<UnitLink> grow(HashTable& waiting) {
   return stops;
 }
 
-// A connecting link has facets of the region on both sides: it was met in both directions.
+// Facets of the region lie on both sides of a connecting link, so it occurs in both directions.
 std::vector<UnitLink> without_connecting_links(std::vector<UnitLink> stops) {
   std::sort(stops.begin(), stops.end());
   std::vector<UnitLink> boundary;
@@ -108,8 +108,8 @@ std::vector<UnitLink> without_connecting_links(std::vector<UnitLink> stops) {
   return boundary;
 }
 
-// The position in the sorted `boundary` of the next link of a simple ring. It is the first one
-// counter-clockwise from the last link. Without any, returns boundary.size(), which only a wrong
+// Returns the position in the sorted `boundary` of the next link of a simple ring: the first link
+// counter-clockwise from the last one. Returns boundary.size() if there is none, which only a wrong
 // table causes.
 size_t next_link(Incidence incidence, const std::vector<UnitLink>& boundary, const UnitLink& link) {
   const int directions = direction_count(incidence);
@@ -141,7 +141,7 @@ std::vector<Ring> chain(Incidence incidence, const std::vector<UnitLink>& bounda
       ring.push_back(boundary[link].from);
     }
   }
-  // Chained in order of vertices, holes may come before the outer ring where they touch it.
+  // Rings are chained in the order of vertices, so holes may precede an outer ring that they touch.
   std::stable_partition(rings.begin(), rings.end(),
                         [&](const Ring& ring) { return signed_area(incidence, ring) > 0; });
   return rings;

@@ -14,9 +14,8 @@
 
 namespace discmc::reference {
 
-/// Extracts and merges the surface of a volume.
-/// `closed` adds a halo of off voxels, else the surface ends at the outermost voxels.
-/// `table` is there for tests that want to see a wrong one fail.
+/// Extracts and merges the surface of a volume. `closed` adds a halo of off voxels; otherwise the
+/// surface ends at the outermost voxels. `table`: tests pass wrong tables and expect a failure.
 std::vector<Region> merge(const BitVolume& volume, bool is_closed,
                           const FacetTable& table = facet_table);
 

@@ -1,4 +1,4 @@
-// Joins loose fragments by looking each follower up in a map: what any other way must agree with.
+// Joins loose fragments by a map of their followers, as a reference for other methods.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace discmc::reference {
 
-/// The rings that loose fragments make up, each as a region of its own; a hole's has a negative
-/// area. Errors: throws GrammarError when a fragment has no follower, or two fragments one.
+/// Returns the rings that loose fragments form, each as a region; a hole has a negative area.
+/// Errors: throws GrammarError if a fragment has no follower, or two fragments share one.
 inline std::vector<Region> join_all(const std::vector<Fragment>& loose) {
   using End = std::tuple<int32_t, int32_t, int32_t, Incidence, Direction>;
   const auto end_at = [](const Vertex& vertex, Incidence incidence, Direction came) {
@@ -45,7 +45,7 @@ inline std::vector<Region> join_all(const std::vector<Fragment>& loose) {
   return rings;
 }
 
-/// The simple rings of regions, each as a region of its own, canonical.
+/// Returns the simple rings of regions, each as a canonical region.
 inline std::vector<Region> single_rings(const std::vector<Region>& regions) {
   std::vector<Region> rings;
   for (const Region& region : simple_rings(regions))
@@ -53,8 +53,8 @@ inline std::vector<Region> single_rings(const std::vector<Region>& regions) {
   return canonical(std::move(rings));
 }
 
-/// The rings of all that was collected, of one scan or of one slab each, canonical.
-/// Errors: as join().
+/// Returns the canonical rings of all collected parts, of one scan or of one slab each. Errors: as
+/// join().
 inline std::vector<Region> joined_rings(const std::vector<Collector>& scans) {
   std::vector<Region> rings;
   std::vector<Fragment> loose;
@@ -66,7 +66,7 @@ inline std::vector<Region> joined_rings(const std::vector<Collector>& scans) {
   return single_rings(rings);
 }
 
-/// Empty when what was collected joins to the rings of `merged`.
+/// Returns an empty text if the collected parts join to the rings of `merged`.
 inline std::string unlike_joined(const std::vector<Collector>& scans,
                                  const std::vector<Region>& merged) {
   const std::vector<Region> rings = joined_rings(scans);

@@ -1,12 +1,12 @@
-// All voxels that can lie around an edge, and the passes at its vertex.
+// Enumerates all voxels around an edge, and the passes at its vertex.
 #pragma once
 
 #include <discmc/trace/passes.hpp>
 
 namespace discmc::reference {
 
-/// Calls visit for the passes of every neighbourhood of an edge along an axis: 131,072. absent: as
-/// of derive_passes().
+/// Calls visit for the passes of all 131,072 neighbourhoods of an edge along an axis. absent: as
+/// for derive_passes().
 template <class Visit>
 void for_each_neighbourhood(int axis, Visit visit, uint32_t absent = 0) {
   for (uint32_t around = 0; around < 1U << 18; ++around) {

@@ -1,4 +1,4 @@
-// Events with normals, taken apart, and the normals that they should have.
+// Splits events with normals, and computes the expected normals.
 #pragma once
 
 #include <discmc/normal_extractor.hpp>
@@ -22,13 +22,13 @@ struct ExtractorOf<Index, GradientIntake<Sample>> {
 /// A spacing of anisotropic voxels with a mirrored y axis.
 constexpr int32_t uneven_spacing[3] = {700, -1000, 1500};
 
-/// Calls visit(vertex, normal, is_corner) where a run starts. The rest of a side, that a loose
-/// fragment begins with, starts at no corner, and has no normal.
+/// Calls visit(vertex, normal, is_corner) for each start of a run. A loose fragment may begin with
+/// the rest of a side, which starts at no corner and has no normal.
 template <class Visit>
 void for_each_start(const Events& events, Visit visit) {
   Incidence incidence = 0;
   Vertex vertex{0, 0, 0};
-  bool is_begun = false;  // the fragment, and has no run yet
+  bool is_begun = false;  // whether the fragment has begun and has no run yet
   Direction came = 0;
   for (const RecordedEvent& recorded : events) {
     const Event event = recorded.event();
@@ -66,12 +66,12 @@ inline Events without_normals(const Events& events) {
   return plain;
 }
 
-/// The normal of a second pass, from the definition of the gradient.
+/// Returns the normal of a second pass, by the definition of the gradient.
 template <class Sample>
 OctahedralNormal reference_normal(const reference::SampleVolume<Sample>& volume,
                                   const Vertex& vertex) {
   const std::array<double, 3> up = reference::gradient(volume, vertex);
-  // Sixteenths at the finest, so this is exact.
+  // The result is exact, because gradients are multiples of a sixteenth.
   const LongVector down = {static_cast<int64_t>(-16 * up[0]), static_cast<int64_t>(-16 * up[1]),
                            static_cast<int64_t>(-16 * up[2])};
   return octahedral_normal(weighted(down, axis_weights(uneven_spacing)));

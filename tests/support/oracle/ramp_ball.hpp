@@ -9,13 +9,13 @@
 
 namespace discmc::reference {
 
-/// Units: samples a voxel for the slope; samples.
+/// Units: samples per voxel for the slope; samples.
 struct Ramp {
   double slope;
-  int threshold, most;  ///< on the ball's surface, and of the type; the least is 0
+  int threshold, most;  ///< at the ball's surface; maximum of the type; the minimum is 0
 };
 
-/// A volume of `extent` voxels each way with the ball in its middle. Units: voxels.
+/// Returns a volume of `extent` voxels along each axis with the ball in its middle. Units: voxels.
 inline SampleVolume<int> ramp_ball(uint32_t extent, double radius, const Ramp& ramp) {
   SampleVolume<int> volume{{extent, extent, extent}, {}};
   const double centre = (extent - 1) / 2.0;

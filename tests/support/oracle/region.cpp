@@ -17,8 +17,8 @@ bool region_before(const Region& a, const Region& b) {
                                       b.rings.end(), ring_before);
 }
 
-// A vertex may come twice in a ring of a sweep, a directed link never. So the ring begins at its
-// smallest vertex; if that comes twice, the smaller vertex after it decides.
+// A vertex may recur in a ring of a sweep, a directed link never. So the ring begins at its
+// smallest vertex; if that recurs, the smaller next vertex decides.
 void rotate_to_smallest(Ring& ring) {
   size_t smallest = 0;
   for (size_t i = 1; i < ring.size(); ++i) {
@@ -46,7 +46,7 @@ std::string describe(const Region& region) {
   return text;
 }
 
-// The sum of the cross products of neighbouring vertices: twice the area, along the normal.
+// The sum of cross products of neighbouring vertices: twice the area, along the normal.
 struct Area {
   int64_t x, y, z;
 };

@@ -1,4 +1,4 @@
-// A merged polygon and what tests ask of a set of them: is it the same, and what does it count?
+// A merged polygon, and comparisons and counts of sets of polygons.
 #pragma once
 
 #include <cstdint>
@@ -26,24 +26,24 @@ inline bool operator!=(const Region& a, const Region& b) {
   return !(a == b);
 }
 
-/// By z, then y, then x.
+/// Compares by z, then y, then x.
 bool before(const Vertex& a, const Vertex& b);
 
-/// The same regions in an order that depends on nothing but the regions: two results compare
-/// with ==. A ring starts at its smallest vertex (by z, y, x), holes and regions are sorted.
+/// Returns the regions in an order that depends only on the regions, so that == compares two
+/// results. A ring starts at its smallest vertex (by z, y, x); holes and regions are sorted.
 std::vector<Region> canonical(std::vector<Region> regions);
 
-/// The first difference of two canonical results in words, or an empty string.
+/// Describes the first difference of two canonical results, or returns an empty text.
 std::string describe_difference(const std::vector<Region>& a, const std::vector<Region>& b);
 
-/// Twice a ring's area times the length of the incidence's normal, an integer: positive when the
-/// ring is counter-clockwise. Units: square half-steps.
+/// Returns twice a ring's area times the length of the incidence's normal, an integer: positive if
+/// the ring is counter-clockwise. Units: square half-steps.
 int64_t signed_area(Incidence incidence, const Ring& ring);
 
-/// What can be counted of a volume's surface.
+/// Counts of a volume's surface.
 struct Counts {
   int64_t facets;
-  int64_t classic_triangles;  ///< what classic Marching Cubes would make
+  int64_t classic_triangles;  ///< of classic Marching Cubes
   int64_t regions;
   int64_t rings;
   int64_t holes;
@@ -53,7 +53,7 @@ struct Counts {
 };
 
 /// A cell has eight cubic half-steps, so `enclosed` and `six_volumes` of a closed surface are equal
-/// numbers (a lone voxel: 8). With an open border only the other counts mean something.
+/// (a lone voxel: 8). With an open border, only the other counts are meaningful.
 Counts counts(const BitVolume& volume, bool is_closed, const std::vector<Region>& regions);
 
 }  // namespace discmc::reference

@@ -1,4 +1,4 @@
-// Runs a whole volume through an extractor, in the portions and the memory of a test.
+// Runs a whole volume through an extractor, with chosen portions and memory.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace discmc::reference {
 
-/// A heap block of exactly the requested size, so that address sanitizers detect accesses beyond.
-/// Otherwise it has guard bytes on both sides, which is_intact() checks.
+/// A heap block of exactly the requested size, so that address sanitizers detect accesses beyond
+/// it. Otherwise it has guard bytes on both sides, which is_intact() checks.
 class Block {
  public:
   enum class Kind : uint8_t { exact, guarded };
@@ -44,20 +44,20 @@ class Block {
   std::unique_ptr<uint8_t[]> all_;
 };
 
-/// How a test wants a volume scanned.
+/// The options of a test for scanning a volume.
 struct Plan {
   Border border = Border::closed;
-  uint32_t chunk = 0;  ///< samples a push; 0: the whole volume
+  uint32_t chunk = 0;  ///< samples per push; 0: the whole volume
 };
 
-/// Enough room for the volumes of the tests with any index: nothing goes out loose.
+/// Room for the volumes of the tests with any index, without loose fragments.
 constexpr Capacities ample{32759, 32759};
 
 inline Limits limits_of(const BitVolume& volume, Border border) {
   return {volume.width, volume.height, border};
 }
 
-/// Pushes all samples, resuming as often as it takes. Errors: throws when a status is one.
+/// Pushes all samples, and resumes as often as needed. Errors: throws if a status is an error.
 template <class AnyExtractor, class Sample>
 void push_all(AnyExtractor& extractor, const std::vector<Sample>& samples, uint32_t chunk = 0) {
   const auto total = static_cast<uint32_t>(samples.size());
@@ -71,7 +71,7 @@ void push_all(AnyExtractor& extractor, const std::vector<Sample>& samples, uint3
   }
 }
 
-/// Ends a scan, resuming as often as it takes.
+/// Ends a scan, and resumes as often as needed.
 template <class AnyExtractor>
 void finish_all(AnyExtractor& extractor) {
   Status status = extractor.finish();
@@ -83,8 +83,8 @@ inline void require_ok(Status status) {
   if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
-/// Scans a volume of bits with explicit capacities. Errors: throws when the extractor reports one,
-/// writes outside its memory, or breaks the grammar.
+/// Scans a volume of bits with explicit capacities. Errors: throws if the extractor reports an
+/// error, writes outside its memory, or breaks the grammar.
 template <class Index, class Receiver>
 void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan,
                const Capacities& capacities, Block::Kind kind = Block::Kind::guarded) {
@@ -97,7 +97,7 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan,
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
 }
 
-/// The same with the default capacities of a number of bytes.
+/// Likewise scans with the default capacities for a number of bytes.
 template <class Index, class Receiver>
 void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan, uint64_t bytes,
                Block::Kind kind = Block::Kind::guarded) {
@@ -110,7 +110,7 @@ void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan, ui
   if (!block.is_intact()) throw std::runtime_error("a write outside the arena");
 }
 
-/// The regions of a volume, in sweep rings, in ample memory.
+/// Returns the regions of a volume, in sweep rings, with ample memory.
 template <class Index>
 Collector scan(const BitVolume& volume, const Plan& plan = {}) {
   Collector collector;
@@ -118,13 +118,13 @@ Collector scan(const BitVolume& volume, const Plan& plan = {}) {
   return collector;
 }
 
-/// The limits of the slab from a slice of a volume to before another.
+/// Returns the limits of a slab of a volume, from `first` to before `end`.
 inline Limits limits_of_slab(const BitVolume& volume, Border border, uint32_t first, uint32_t end) {
   Limits limits = limits_of(volume, border);
   limits.slab = {first, first > 0, end < volume.depth};
   return limits;
 }
-/// The voxels of its slices, with those of context.
+/// Returns the voxels of its slices, including context slices.
 inline std::vector<uint8_t> voxels_of_slab(const BitVolume& volume, uint32_t first, uint32_t end) {
   const size_t slice = size_t{volume.width} * volume.height;
   const uint32_t from = first > 0 ? first - 1 : 0;
@@ -132,8 +132,8 @@ inline std::vector<uint8_t> voxels_of_slab(const BitVolume& volume, uint32_t fir
   return {volume.on.data() + from * slice, volume.on.data() + to * slice};
 }
 
-/// Scans a volume in slabs of some slices, the last of them maybe thinner, each in memory of some
-/// bytes beyond the minimum. Errors: as scan_into().
+/// Scans a volume in slabs of some slices; the last one may be thinner. Each slab has some bytes of
+/// memory beyond the minimum. Errors: as scan_into().
 template <class Index>
 std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32_t slices,
                                   uint64_t spare, const EventLog::Refuses& refuses = {}) {

@@ -22,7 +22,7 @@ using detail::trace::Way;
 
 constexpr int axes = 3;
 
-// A vector by its parts along an axis and the two that follow it.
+// Returns a vector by its components along an axis and the two axes after it.
 Vertex along(int axis, int a, int u, int v) {
   int part[3] = {};
   part[axis] = a;
@@ -31,7 +31,7 @@ Vertex along(int axis, int a, int u, int v) {
   return {part[0], part[1], part[2]};
 }
 
-// Where the lines of the ring lie around that in the middle. Units: voxels.
+// The position of a line of the ring, relative to the middle line. Units: voxels.
 struct Place {
   int u, v;
 };
@@ -39,7 +39,7 @@ constexpr Place ring[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0
 
 // ---- the order of visits ----
 
-// By the voxel at the lower end of the edge, in z, y, x; then by axis.
+// Orders vertices by the voxel at the lower end of the edge, in z, y, x; then by axis.
 std::array<int, 4> visit(const Vertex& vertex) {
   const auto voxel = [](int coordinate) { return (coordinate - (coordinate & 1)) / 2; };
   return {voxel(vertex.z), voxel(vertex.y), voxel(vertex.x), (vertex.y & 1) + 2 * (vertex.z & 1)};
@@ -48,7 +48,7 @@ bool rises(const Vertex& a, const Vertex& b) {
   return visit(a)[0] != visit(b)[0];
 }
 
-// The midpoints of the edges of a cell, as a sweep visits them.
+// Returns the midpoints of a cell's edges in the order in which a sweep visits them.
 const std::array<Vertex, cell_edges>& edges() {
   static const std::array<Vertex, cell_edges> all = [] {
     std::array<Vertex, cell_edges> sorted{};
@@ -67,7 +67,7 @@ CellEdge edge_at(const Vertex& midpoint) {
                                edges().begin());
 }
 
-// ---- what a vertex sees of one of its cells ----
+// ---- the surface in a cell, seen from one of its vertices ----
 
 // The cell in a quadrant of an edge along an axis.
 struct Quadrant {
@@ -103,13 +103,13 @@ struct FaceLook {
 };
 struct Look {
   FaceLook face[2];  // at the quadrant's first line and at its last
-  CellEdge to;       // the way of a chain that leaves by the centroid; cell_edges: none
-  CellEdge from;     // the origin of a chain that comes by the centroid
+  CellEdge to;       // reached by a chain that leaves by the centroid; cell_edges: none
+  CellEdge from;     // origin of a chain that arrives by the centroid
 };
 
 using PointLink = std::pair<Vertex, Vertex>;
 
-// The links around the facets of one incidence, each without its opposite.
+// Returns the links around the facets of one incidence, without links whose opposite is present.
 std::vector<PointLink> boundary(Configuration configuration, Incidence incidence) {
   std::vector<PointLink> links;
   for (int i = facet_table.first[configuration]; i < facet_table.first[configuration + 1]; ++i) {
@@ -167,18 +167,18 @@ const Looks& looks_of(int axis, int quadrant) {
 
 // ---- statements ----
 
-// An edge of a quadrant's cell, of one as CellAtVertex names it: as if the axis were x and the
-// quadrant the first.
+// Converts an edge named by CellAtVertex, which uses axis x and quadrant 0, to an edge of a
+// quadrant's cell.
 CellEdge edge_in(const Quadrant& quadrant, CellEdge named) {
   const Vertex at = edges().at(named);
-  const Place& u = quadrant.line(0);  // where the first axis after x is turned to,
-  const Place& v = quadrant.line(2);  // and the second
+  const Place& u = quadrant.line(0);  // image of the first axis after x
+  const Place& v = quadrant.line(2);  // image of the second axis
   const int at_u = at.y * u.u + at.z * v.u, at_v = at.y * u.v + at.z * v.v;
   return edge_at(
       along(quadrant.axis, at.x, at_u - 2 * quadrant.min_u(), at_v - 2 * quadrant.min_v()));
 }
 
-// [from][to]: whether chains go from one edge of a cell by its centroid to another.
+// [from][to]: whether chains run from one edge of a cell by its centroid to another.
 using Ways = std::array<std::array<bool, cell_edges>, cell_edges>;
 
 const Ways& ways_by_centroids() {
@@ -218,7 +218,7 @@ bool points_where_headings_lie(const SectorTable& table) {
   return true;
 }
 
-// The vector of a ray along its way.
+// Returns the vector of a ray along its way.
 Vertex ray_vector(int axis, int quadrant, int way) {
   const Place across = ring[2 * quadrant];
   return way == detail::trace::straight_way
@@ -226,7 +226,7 @@ Vertex ray_vector(int axis, int quadrant, int way) {
              : along(axis, way == detail::trace::downward_way ? -1 : 1, across.u, across.v);
 }
 
-// A way has no other bits than those of its members.
+// A way has no bits other than those of its members.
 bool is_way(const Way& way, const Vertex& vector, bool is_ahead) {
   if (way.link() >= link_codes || link_vector(way.link()) != vector) return false;
   const Way told(way.link(), way.queue_out(), is_ahead);
@@ -246,7 +246,7 @@ bool leads_across_faces(const SectorTable& table) {
   return true;
 }
 
-// Chains go along some of the ways by a centroid, in one direction or both; the others are empty.
+// Chains use some of the ways by a centroid, in one direction or both; the others are empty.
 bool leads_by_centroids(const SectorTable& table) {
   for (int axis = 0; axis < axes; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
@@ -271,12 +271,12 @@ bool is_ray(const SectorTable& table, const FaceLook& seen, int axis, int lower,
   return link_vector(table.axis[axis].way[quadrant][way].link()) == seen.link;
 }
 
-// Limit: the headings, edges and ways are as they should be.
+// Limit: the headings, edges and ways are correct.
 bool is_seen(const SectorTable& table, int axis, int quadrant, int lower, int lines) {
   const CellAtVertex cell = table.cell_at(lower, static_cast<uint32_t>(lines));
   const Look& seen =
       looks_of(axis, quadrant)[static_cast<size_t>(lower)][static_cast<size_t>(lines)];
-  // Turned from the first quadrant.
+  // Turns headings from quadrant 0.
   const auto turned = [quadrant](int heading) {
     return heading == detail::trace::no_heading ? heading : (heading + 2 * quadrant) % 8;
   };
@@ -306,16 +306,16 @@ bool sees_the_facets(const SectorTable& table) {
 
 // ---- queues ----
 
-// A kind of link and the queue of the chains along it. The kind is the earlier vertex with two
-// vectors: to the later vertex, and to the centroid in between (zero on a face).
+// A kind of link and the queue of its chains. The kind is the earlier vertex with two vectors: to
+// the later vertex, and to the centroid in between (zero on a face).
 struct Kind {
   Vertex begin, vector, by;
-  bool is_taken[2];  // by chains that go onwards, and back
+  bool is_taken[2];  // by chains forwards, and backwards
   int queue;
 };
 
-// Adds a way to the kinds, seen from a vertex. False when it has another queue than from the other
-// end of the link. by: the centroid, or the vertex itself.
+// Adds a way to the kinds, seen from a vertex. Returns false if its queue differs from that at the
+// other end of the link. by: the centroid, or the vertex itself.
 bool add_kind(std::vector<Kind>& kinds, const Way& way, const Vertex& here, const Vertex& there,
               const Vertex& by, bool goes, bool comes) {
   const bool is_ahead = visit(here) < visit(there);
@@ -354,7 +354,7 @@ bool agrees_from_both_ends(const SectorTable& table, std::vector<Kind>& kinds) {
   return true;
 }
 
-// Each of all queues once, and those that rise to the next slice behind the others.
+// Each queue occurs once, and queues that rise to the next slice come last.
 bool shares_no_queue(const std::vector<Kind>& kinds) {
   std::array<int, detail::trace::queue_count> users{};
   for (const Kind& kind : kinds)
@@ -376,7 +376,7 @@ struct Parts {
   uint32_t cell, facet, triangle;
 };
 
-// How the vertices of a cell find their parts: [lower end is on][lines].
+// The index of a vertex' parts: [lower end is on][lines].
 struct PartPlace {
   int lower, lines;
 };
@@ -394,7 +394,7 @@ const std::vector<PartPlace>& places_of(int configuration) {
   return all[static_cast<size_t>(configuration)];
 }
 
-// Four parts have room in a word beside each other.
+// Whether four parts fit into a word.
 bool has_room(const Parts& parts) {
   constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
   return 4 * parts.cell < 1U << facet && 4 * parts.facet < 1U << (triangle - facet) &&

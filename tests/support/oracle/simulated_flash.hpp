@@ -1,4 +1,4 @@
-// A flash memory that holds its user to its rules, and whose power can fail at any moment.
+// A flash memory that checks its rules of use, and whose power can fail at any moment.
 #pragma once
 
 #include <algorithm>
@@ -29,24 +29,25 @@ class SimulatedFlash {
     return {this, read, program, kind_ == Kind::fram ? nullptr : erase, sync, geometry_};
   }
 
-  // ---- what fails ----
+  // ---- failures ----
 
   /// The power fails after a number of steps: bytes programmed, and quarters of a block erased. An
   /// interrupted step leaves random bits.
   void cut_after(uint64_t left) { steps_left_ = left; }
   void power_on() { cut_after(UINT64_MAX); }
   bool is_off() const { return steps_left_ == 0; }
-  /// Reads, programs, erasures and syncs: that of this number, from 0 on, fails, and does nothing.
+  /// Makes the call of this number, from 0 on, fail without an effect: a read, programming, erasure
+  /// or sync.
   void fail_call(uint64_t number) { failing_call_ = calls + number; }
-  /// From now on bits of this unit stay 1.
+  /// From now on, bits of this unit stay 1.
   void wear_out(size_t unit) { worn_unit_ = unit; }
 
-  // ---- what was done ----
+  // ---- counts ----
 
   std::vector<uint8_t> bytes;
-  std::vector<uint32_t> erasures;  // by block
+  std::vector<uint32_t> erasures;  // per block
   uint64_t calls = 0;
-  uint64_t units = 0;  // programmed
+  uint64_t units = 0;  // number programmed
   uint64_t steps = 0;
   bool has_broken_rules = false;
 
@@ -101,7 +102,7 @@ class SimulatedFlash {
     }
   }
 
-  // A block that is erased in part takes nothing before it is erased again.
+  // A partly erased block must be erased again before programming.
   void erase_block(uint32_t block) {
     const uint32_t quarter = (geometry_.block_bytes + 3) / 4;
     programmed_[block] = geometry_.units_per_block();
@@ -127,7 +128,7 @@ class SimulatedFlash {
 
   FlashGeometry geometry_;
   Kind kind_;
-  std::vector<uint32_t> programmed_;  // the first unit of a block that may be programmed
+  std::vector<uint32_t> programmed_;  // per block: the next unit that may be programmed
   std::minstd_rand random_;
   uint64_t steps_left_ = UINT64_MAX;
   uint64_t failing_call_ = UINT64_MAX;

@@ -1,5 +1,5 @@
-// An interrupt after any instruction: the processor is single-stepped, and a signal handler is the
-// interrupt. On x86-64 under Linux.
+// Interrupts work after any instruction, on x86-64 under Linux: single-steps the processor, with a
+// signal handler as the interrupt.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace discmc::reference {
 
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__)
 
-/// Whether there are interrupts: not under the thread sanitizer, which handles signals later. Under
-/// valgrind none comes.
+/// Whether interrupts are possible: not under the thread sanitizer, which delays signals. Under
+/// valgrind none arrives.
 #if defined(__SANITIZE_THREAD__)
 constexpr bool can_single_step = false;
 #else
@@ -26,13 +26,13 @@ namespace stepping {
 constexpr uint32_t trap_flag = 0x100;
 
 struct Interrupt {
-  uint64_t left = 0;  // instructions until it comes
+  uint64_t left = 0;  // instructions until the interrupt
   void (*handle)(void* context) = nullptr;
   void* context = nullptr;
 };
 inline Interrupt interrupt;
 
-// The processor does not step through the handler, nor through what follows the interrupt.
+// The processor does not step through the handler, nor beyond the interrupt.
 inline void on_step(int, siginfo_t*, void* context) {
   if (interrupt.left == 0 || --interrupt.left > 0) return;
   interrupt.handle(interrupt.context);
@@ -41,8 +41,8 @@ inline void on_step(int, siginfo_t*, void* context) {
 
 }  // namespace stepping
 
-/// Runs `work`, and `interrupt` once within it, after its instruction number `at`. False: the work
-/// has fewer instructions, and there was no interrupt.
+/// Runs `work`, and interrupts it once, after instruction number `at`. Returns false if the work
+/// has fewer instructions; then there was no interrupt.
 template <class Work, class Interrupt>
 bool interrupted(uint64_t at, Work work, Interrupt interrupt) {
   struct sigaction action {

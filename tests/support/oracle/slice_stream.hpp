@@ -1,4 +1,4 @@
-// Streams of slices for tests: written, and read back as the rows that arrive.
+// Writes streams of slices for tests, and reads them back as rows.
 #pragma once
 
 #include <cstring>
@@ -12,7 +12,7 @@
 
 namespace discmc::test {
 
-/// A slice encoder that is started, in memory of its own.
+/// A started slice encoder in memory of its own.
 struct StartedSliceEncoder : SliceEncoder {
   StartedSliceEncoder(const StreamHeader& header, const ByteOutput& output,
                       uint32_t key_slice_interval = 0) {
@@ -24,15 +24,15 @@ struct StartedSliceEncoder : SliceEncoder {
   reference::Block block{0};
 };
 
-/// How a volume is encoded.
+/// The options for encoding a volume.
 struct SlicePlan {
   uint32_t key_slice_interval = 0;
-  uint32_t portion = 1000000;  ///< samples a push
-  size_t bytes_at_once = 0;    ///< that the line takes: see Line
+  uint32_t portion = 1000000;  ///< samples per push
+  size_t bytes_at_once = 0;    ///< that the line accepts: see Line
   uint32_t flush_every = 0;    ///< rows between flushes; 0 never
-  bool fails = false;          ///< the power, after each flush and before the end
-  uint8_t surface_count = 1;   ///< all the same
-  uint8_t levels = 0;          ///< of the fractions of samples_with() the volume
+  bool fails = false;          ///< whether power fails after each flush and before the end
+  uint8_t surface_count = 1;   ///< all surfaces are equal
+  uint8_t levels = 0;          ///< of the fractions of samples_with()
 };
 
 template <class AnyEncoder, class Sample>
@@ -52,7 +52,7 @@ void until_done(Call call) {
   reference::require_ok(status);
 }
 
-/// The encoder continues from a checkpoint, in other memory of the same size.
+/// Continues the encoder from a checkpoint, in other memory of equal size.
 template <class AnyEncoder>
 void lose_power(AnyEncoder& encoder, reference::Block& memory, Line& line) {
   Memory parts[2];
@@ -102,7 +102,7 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
   return encode_samples(encoder, config, reference::samples_with(volume).at, plan);
 }
 
-/// A stream that reports all its rows as lost.
+/// Returns a stream that reports all its rows as lost.
 inline Bytes lost_slices(const reference::Size& size) {
   Line line;
   PacketWriter packets;
@@ -118,7 +118,7 @@ inline Bytes lost_slices(const reference::Size& size) {
 struct RecordedRow {
   RowEvent event;
   Bytes bits;
-  std::vector<uint16_t> fractions;  ///< of the event before; none: empty
+  std::vector<uint16_t> fractions;  ///< of the previous event; or empty
 
   bool is(RowEvent::Kind kind) const { return event.kind == kind; }
 };
@@ -129,7 +129,7 @@ struct ReceivedRows {
   Status status;
 };
 
-/// Records rows; one that refuses takes every event at the second time.
+/// Records rows. With `refuses`, accepts every event only at its second offer.
 class RowLog {
  public:
   explicit RowLog(bool refuses) : refuses_(refuses) {}
@@ -169,7 +169,7 @@ class RowLog {
   bool refuses_;
   bool was_refused_ = false;
   uint32_t width_ = 0;
-  std::vector<uint16_t> fractions_;  // of the row that comes next
+  std::vector<uint16_t> fractions_;  // of the next row
   RowEvent place_{};
 };
 
@@ -182,15 +182,15 @@ Status push_stream(Decoding& decoder, const Bytes& bytes, size_t chunk) {
     const Decoded decoded =
         decoder.push(bytes.data() + at, chunk == 0 || chunk > left ? left : chunk);
     at += decoded.bytes;
-    if (decoded.status == Status::finished && at == bytes.size()) break;  // of a Receiver
+    if (decoded.status == Status::finished && at == bytes.size()) break;  // for a Receiver
     if (decoded.status != Status::ok && decoded.status != Status::suspended) return decoded.status;
   }
   until_done([&] { return decoder.finish(); });
   return Status::ok;
 }
 
-/// Gives a decoder all bytes of a stream, again while its sink is busy, and no end. Returns how
-/// many bytes it took.
+/// Pushes all bytes of a stream, without an end, and repeats while the sink is busy. Returns the
+/// number of accepted bytes.
 template <class Decoding>
 size_t push_until_done(Decoding& decoder, const Bytes& bytes) {
   size_t taken = 0;
@@ -217,7 +217,7 @@ inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& siz
   return {log.rows, decoder.report(), status};
 }
 
-/// The voxels of a surface, row after row.
+/// Returns the voxels of a surface, row after row.
 inline Bytes voxels_of(const std::vector<RecordedRow>& rows, uint8_t channel) {
   Bytes voxels;
   for (const RecordedRow& row : rows)
@@ -225,8 +225,8 @@ inline Bytes voxels_of(const std::vector<RecordedRow>& rows, uint8_t channel) {
   return voxels;
 }
 
-/// Whether the rows of the first surface have the fractions of these samples. Edges to a row that
-/// was skipped have none, nor have edges to the slice before a loss.
+/// Whether the rows of the first surface have the fractions of these samples. Edges to a skipped
+/// row have none, and neither have edges to the slice before a loss.
 template <class Sample>
 bool have_fractions(const std::vector<RecordedRow>& rows,
                     const reference::SampleVolume<Sample>& volume, int32_t threshold,

@@ -1,4 +1,4 @@
-// Streams for tests: made of recorded events, and their packets taken apart and mended.
+// Builds streams from recorded events, and splits and repairs their packets.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using reference::RecordedEvent;
 
 // ---- chance ----
 
-/// Random numbers from a generator of our own (SplitMix64).
+/// Random numbers from a portable generator (SplitMix64).
 class Chance {
  public:
   explicit Chance(uint64_t seed) : state_(seed) {}
@@ -64,14 +64,14 @@ inline StreamHeader header_of(const reference::BitVolume& volume, Border border 
   return header;
 }
 
-/// A small header for streams that are not of a volume.
+/// Returns a small header for streams without a volume.
 inline StreamHeader any_header() {
   return header_of(reference::BitVolume({1, 1, 1}));
 }
 
 // ---- encoding ----
 
-/// Takes bytes as a slow line does: `most` at every second call, none at the others. 0: all.
+/// Accepts bytes like a slow line: `most` at every second call, none at the others. 0: all.
 class Line {
  public:
   explicit Line(size_t most = 0) : most_(most) {}
@@ -98,7 +98,7 @@ class Line {
   bool was_busy_ = false;
 };
 
-/// Takes bytes while there is room, and none until there is room again.
+/// Accepts bytes while there is room, and none until there is room again.
 struct LimitedLine {
   size_t room = 0;
   Bytes bytes{};
@@ -121,7 +121,7 @@ inline Event start_of(const StreamHeader& header) {
   return event;
 }
 
-/// Begins a stream as an extractor does. Returns why it refused, as an extractor does.
+/// Begins a stream like an extractor. Returns the reason of a refusal, like an extractor.
 template <class Encoding>
 Status begin_stream(Encoding& encoder, const StreamHeader& header, const ByteOutput& output) {
   const Status status = encoder.start(header.label(), output);
@@ -136,7 +136,7 @@ void take_all(Encoding& encoder, const Events& events) {
       if (tries > 10000) throw std::runtime_error("an event that is never taken");
 }
 
-/// Encodes normals, too.
+/// An encoder that also encodes normals.
 struct NormalEncoder : Encoder {
   NormalEncoder() { encode_normals(); }
 };
@@ -182,7 +182,7 @@ inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = fals
   return {log.events, decoder.report(), decoder.header(), status};
 }
 
-/// The events that each frame of a whole stream brings.
+/// Returns the events of each frame of a whole stream.
 inline std::vector<Events> events_by_frame(const std::vector<Bytes>& frames) {
   EventLog log;
   Decoder decoder;
@@ -197,8 +197,8 @@ inline std::vector<Events> events_by_frame(const std::vector<Bytes>& frames) {
   return result;
 }
 
-/// The complete regions and loose fragments among the events of a decoder. Errors: throws when the
-/// events break the grammar of sink.hpp, `lost` included.
+/// Returns the complete regions and loose fragments of a decoder's events. Errors: throws if the
+/// events break the grammar of sink.hpp, including `lost`.
 inline std::vector<Events> pieces_of(const Events& events) {
   using Kind = Event::Kind;
   enum class Place {
@@ -302,7 +302,7 @@ inline Packet packet_of(Bytes frame) {
   return packet;
 }
 
-/// The frames of a stream, each with its zero.
+/// Returns the frames of a stream, each with its zero.
 inline std::vector<Bytes> frames_of(const Bytes& stream) {
   std::vector<Bytes> frames(1);
   for (const uint8_t byte : stream) {
@@ -313,7 +313,7 @@ inline std::vector<Bytes> frames_of(const Bytes& stream) {
   return frames;
 }
 
-/// The digest of a trailer behind these frames.
+/// Returns the digest of a trailer behind these frames.
 inline uint32_t digest_of(const std::vector<Bytes>& frames) {
   uint32_t digest = 0;
   for (Bytes frame : frames) {
@@ -331,7 +331,7 @@ inline Bytes joined(const std::vector<Bytes>& frames) {
   return stream;
 }
 
-/// The stream with a header of another version.
+/// Returns the stream with a header of another version.
 inline Bytes with_version(uint8_t version, const Bytes& stream) {
   std::vector<Bytes> frames = frames_of(stream);
   Packet header = packet_of(frames[0]);
@@ -340,9 +340,9 @@ inline Bytes with_version(uint8_t version, const Bytes& stream) {
   return joined(frames);
 }
 
-// ---- the model by hand ----
+// ---- payloads by hand ----
 
-/// The payload of a packet of records, written by hand with the model.
+/// The payload of a packet of records, written symbol by symbol with the model.
 class Payload {
  public:
   Payload()
@@ -350,12 +350,12 @@ class Payload {
   Payload(const Payload&) = delete;
   Payload& operator=(const Payload&) = delete;
 
-  /// Ends the records and the code. Errors: throws when they do not fit.
+  /// Ends the records and the code. Errors: throws if they do not fit.
   Bytes finish() {
     model.record_kind(detail::stream::RecordKind::end);
     return close();
   }
-  /// The same without a word of an end.
+  /// Ends the code without ending the records.
   Bytes close() {
     if (!model.coder().range.fits()) throw std::runtime_error("the payload is too long");
     bytes_.resize(model.coder().range.finish());

@@ -1,4 +1,4 @@
-// Scans that between them hold everything that a stream can hold.
+// Scans that together contain every element of a stream.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct Sample {
   Events events;
 };
 
-/// Events by hand. What they describe need not be a surface.
+/// Events written by hand. They need not describe a surface.
 class Script {
  public:
   Script& region(Incidence incidence) {
@@ -68,7 +68,7 @@ class Script {
     event.statistics = &totals_;
     return add(event);
   }
-  /// A square of this side across z.
+  /// Adds a square of this side across z.
   Script& square(Vertex corner, uint32_t side, bool is_hole = false) {
     ring(corner, is_hole);
     for (uint32_t i = 0; i < 4; ++i)
@@ -93,20 +93,20 @@ class Script {
 
 constexpr Incidence up = incidence_of({0, 0, 1});
 
-// A run by chance: its numbers are drawn in an order that no compiler chooses.
+// Adds a random run. Separate statements fix the order in which its numbers are drawn.
 inline void add_run(Script& script, Chance& chance, uint32_t directions, uint32_t most) {
   const uint32_t length = 1 + chance.below(most);
   script.run(static_cast<Direction>(chance.below(directions)), length);
 }
 
-/// One region of one ring with random runs, of up to `most` links, in a plane across z.
+/// Adds a region of one ring with random runs of up to `most` links, in a plane across z.
 inline void add_ragged_region(Script& script, Chance& chance, uint32_t runs, uint32_t most) {
   script.region(up).ring({1, 2, 2 * static_cast<int32_t>(chance.below(50))});
   for (uint32_t i = 0; i < runs; ++i) add_run(script, chance, 8, most);
   script.region_end();
 }
 
-/// One loose fragment of random runs, of up to `most` links, anywhere.
+/// Adds a loose fragment of random runs of up to `most` links, at any place.
 inline void add_ragged_fragment(Script& script, Chance& chance, uint32_t runs, uint32_t most) {
   const auto incidence = static_cast<Incidence>(chance.below(no_incidence));
   const uint32_t directions = direction_count(incidence);
@@ -118,7 +118,8 @@ inline void add_ragged_fragment(Script& script, Chance& chance, uint32_t runs, u
   script.fragment_end();
 }
 
-/// Rings, regions and fragments that no packet holds, with runs and coordinates at their limits.
+/// Returns rings, regions and fragments that no packet can hold, with runs and coordinates at their
+/// limits.
 inline Events monstrous_events() {
   Script script;
   Chance chance(11);
@@ -136,13 +137,13 @@ inline Events monstrous_events() {
   return script.finish().events;
 }
 
-/// A plate one voxel thick with a hole in every fourth voxel of every fourth row.
+/// Returns a plate one voxel thick with a hole in every fourth voxel of every fourth row.
 inline reference::BitVolume sieve(uint32_t side) {
   return reference::volume_of(
       {side, side, 1}, [](uint32_t x, uint32_t y, uint32_t) { return x % 4 != 2 || y % 4 != 2; });
 }
 
-/// A scan with skipped rows that is abandoned after a number of rows (0: never).
+/// Returns a scan with skipped rows that is abandoned after a number of rows (0: never).
 inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows_until_abandoned) {
   const Limits limits = reference::limits_of(volume, Border::closed);
   reference::Block block(Extractor32::bytes_for(limits, reference::ample));
@@ -163,7 +164,8 @@ inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows
   return log.events;
 }
 
-/// A ring as loose fragments of `most` runs. A cut leaves the last link of a run to what follows.
+/// Adds a ring as loose fragments of `most` runs. A cut leaves the last link of a run to the next
+/// fragment.
 inline void add_loose_ring(Script& script, Incidence incidence, Vertex start,
                            const std::vector<Run>& runs, size_t most) {
   Vertex at = start;
@@ -184,8 +186,8 @@ inline void add_loose_ring(Script& script, Incidence incidence, Vertex start,
   script.fragment_end();
 }
 
-/// The events of a scan whose regions are sent in loose fragments where a ring has more than `most`
-/// runs. Fragments that the scan sent itself stay as they are.
+/// Returns the events of a scan with each ring of more than `most` runs as loose fragments.
+/// Fragments that the scan itself has sent stay unchanged.
 inline Events with_loose_fragments(const Events& events, size_t most) {
   struct Chain {
     Vertex start;
@@ -213,7 +215,7 @@ inline Events with_loose_fragments(const Events& events, size_t most) {
                     [most](const Chain& ring) { return ring.runs.size() > most; })) {
       const Incidence incidence = region.front().event().incidence;
       Script script;
-      for (size_t i = rings.size(); i-- > 0;)  // the outer ring last
+      for (size_t i = rings.size(); i-- > 0;)  // adds the outer ring last
         add_loose_ring(script, incidence, rings[i].start, rings[i].runs, most);
       region = script.events;
     }

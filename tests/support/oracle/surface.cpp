@@ -14,7 +14,7 @@ uint64_t mix(uint64_t value) {
   return value ^ (value >> 31);
 }
 
-// The middle of a unit link in quarter-steps also determines its axis, except for the sign.
+// The middle of a unit link in quarter-steps also determines its axis, except for its sign.
 uint64_t link_hash(const Vertex& from, const Vertex& to) {
   const Vertex middle = from + to;
   const Vertex step = to - from;
@@ -54,7 +54,7 @@ Ring ring_of(const Vertex& cell, Facet facet) {
   return ring;
 }
 
-// The facets of a small volume, and a union-find forest over them.
+// The facets of a small volume, in a union-find forest.
 class FacetForest {
  public:
   FacetForest(const BitVolume& volume, bool is_closed)
@@ -138,7 +138,7 @@ class FacetForest {
   }
 
   size_t columns_, rows_;
-  std::vector<uint32_t> number_;  // by place: one more than the facet's number, 0 for none
+  std::vector<uint32_t> number_;  // by place: the facet's number plus one, 0 for none
   std::vector<Placed> facets_;
   std::vector<uint32_t> parent_;
 };

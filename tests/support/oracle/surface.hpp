@@ -1,4 +1,4 @@
-// What every extraction of a surface must agree on, merged or cut in whatever way.
+// Sums on which all extractions of a surface must agree, however it is merged or cut.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,13 @@
 
 namespace discmc::reference {
 
-/// Sums over a surface, each of them the same for its facets, its merged regions and everything in
+/// Sums over a surface. They are equal for its facets, its merged regions and everything in
 /// between. The hashes are sums of pseudo-random 64-bit numbers, so equal hashes mean equal
-/// surfaces but for a chance of 2^-64.
+/// surfaces, except for a chance of 2^-64.
 struct Surface {
-  uint64_t boundary;  ///< hash of the directed links by incidence: what one plane leaves over
-  uint64_t
-      open_links;  ///< hash of the directed links: what the whole surface leaves over, 0 if closed
-  uint64_t areas;  ///< hash of the area on every signed plane
+  uint64_t boundary;    ///< hash of directed links by incidence: the unpaired links of planes
+  uint64_t open_links;  ///< hash of directed links: the unpaired links of the surface, 0 if closed
+  uint64_t areas;       ///< hash of the area on every signed plane
   int64_t six_volumes;  ///< Units: cubic half-steps
 };
 
@@ -27,23 +26,24 @@ inline bool operator!=(const Surface& a, const Surface& b) {
 
 Surface surface_of(const std::vector<Region>& regions);
 
-/// The same, summed over the facets of a volume's cells.
+/// Likewise sums over the facets of a volume's cells.
 Surface surface_of_cells(const BitVolume& volume, bool is_closed);
 
-/// The summand of the hashes: a pseudo-random number for a directed link, which its opposite
-/// cancels. The second function has the number of a link on a plane of an incidence.
+/// Returns the summand of the hashes: a pseudo-random number for a directed link, which its
+/// opposite cancels. The second function is for a link on a plane of an incidence.
 uint64_t link_hash(const Vertex& from, const Vertex& to);
 uint64_t of_incidence(uint64_t link, Incidence incidence);
 
-/// A sum of links as the fingerprint counts it, so that equal sums of two regions do not add up.
+/// Mixes a sum of links for the fingerprint, so that swapping links between regions changes the
+/// total.
 uint64_t mix(uint64_t value);
 
-/// One number for a set of regions: which links bound each of them, whatever the rings. The same
-/// for sweep rings and simple rings, as slits cancel.
+/// Returns a number for a set of regions, by the links that bound each of them, however divided
+/// into rings. Sweep rings and simple rings give an equal number, because slits cancel.
 uint64_t fingerprint(const std::vector<Region>& regions);
 
-/// The fingerprint of a volume's merged surface, straight from the definition of a region: facets
-/// joined across shared edges. For volumes of a few voxels; much quicker than merge().
+/// Returns the fingerprint of a volume's merged surface, by the definition of a region: facets
+/// joined across shared edges. For volumes of a few voxels; much faster than merge().
 uint64_t fingerprint_of_cells(const BitVolume& volume, bool is_closed);
 
 }  // namespace discmc::reference

@@ -1,4 +1,4 @@
-// The rows of shares, by name: as many rows as stand one after the other, of as many symbols each.
+// The rows of shares, by name, each with the number of rows and of symbols per row.
 #pragma once
 
 #include <discmc/stream/shares.hpp>
@@ -15,7 +15,7 @@ struct SymbolRows {
   uint32_t symbols;
 };
 
-/// All of them, in the order of the table.
+/// Returns all rows, in the order of the table.
 inline std::vector<SymbolRows> symbol_rows() {
   namespace of = detail::stream::rows;
   std::vector<SymbolRows> all{{"kinds", of::kinds, 3, of::of_kinds},
@@ -45,8 +45,8 @@ inline std::vector<SymbolRows> symbol_rows() {
   return all;
 }
 
-/// Whether there is a ring with these corners: it closes after three, or after four that are each
-/// less than a half turn. Symbol 0 is any other ring.
+/// Whether a ring with these corners exists: it closes after three, or after four that are each
+/// less than half a turn. Symbol 0 is any other ring.
 inline bool has_corners(uint32_t link_class, uint32_t symbol) {
   if (symbol == 0) return true;
   const uint32_t directions = 4 + 2 * link_class;

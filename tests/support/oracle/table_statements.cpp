@@ -23,10 +23,10 @@ bool operator<(const PointLink& a, const PointLink& b) {
   return a.from == b.from ? a.to < b.to : a.from < b.from;
 }
 
-// A few links; no cell has more than seven facets of four.
+// A few links, because a cell has at most seven facets of four links.
 class LinkList {
  public:
-  // A link and its opposite leave nothing.
+  // A link and its opposite cancel.
   void add(const PointLink& link) {
     const auto opposite = std::find(links_.begin(), end(), PointLink{link.to, link.from});
     if (opposite == end())
@@ -103,8 +103,8 @@ bool counts_directions(const LinkTable& links) {
   return true;
 }
 
-// Half a round of directions: each is less than half a turn from the first and beyond the one
-// before it.
+// Directions cover half a round: each is less than half a turn from the first, and beyond the
+// previous one.
 bool turns_counter_clockwise(const LinkTable& links, Incidence incidence) {
   const Vertex n = incidence_normal(incidence);
   const Link* half = links.link[incidence];
@@ -153,7 +153,7 @@ bool has_rings_of_its_facets(const FacetTables& facets) {
   return true;
 }
 
-// Counter-clockwise about the normal at every point.
+// The corners are counter-clockwise about the normal at every point.
 bool lies_as_its_code_says(const FacetRing& ring, Facet facet) {
   if (!is_incidence(incidence_of(facet))) return false;
   const Vertex n = incidence_normal(incidence_of(facet));
@@ -187,8 +187,8 @@ int classic_triangles(int configuration) {
   return triangles;
 }
 
-// The volume as a sum of pyramids with their tips at corner 0. Their bases are the facets and the
-// on parts of the three faces that do not meet there. Units: 48ths of a cell.
+// Returns the volume as a sum of pyramids with their tips at corner 0. Their bases are the facets
+// and the on parts of the three faces that do not meet there. Units: 48ths of a cell.
 int enclosed(const FacetTables& facets, int configuration) {
   constexpr int twice_on_area[] = {0, 1, 4, 7, 8};
   int sum = 0;
@@ -254,7 +254,8 @@ ModelTable model_table() {
   return model;
 }
 
-// Other numbers are another format: a new detail::wire::version, new golden files, a new WIRE.md.
+// Other numbers change the format: they need a new detail::wire::version, new golden files, and a
+// new WIRE.md.
 const char* broken(const ModelTable& model) {
   const uint32_t version_1 = 0x2725C136;
   return crc32(model.shares, sizeof(model.shares)) == version_1

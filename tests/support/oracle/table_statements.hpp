@@ -1,5 +1,5 @@
 // Statements about the derived tables, so that any wrong byte breaks one. They treat the tables as
-// data: none uses the code that derives them, except the loops of cell.hpp, which cell_test.cpp
+// data. None uses the code that derives them, except the loops of cell.hpp, which cell_test.cpp
 // tests.
 #pragma once
 
@@ -22,11 +22,11 @@ struct ModelTable {
   uint8_t shares[std::size(detail::stream::shares)];
 };
 
-/// What the library has.
+/// Returns the tables of the library.
 FacetTables facet_tables();
 ModelTable model_table();
 
-/// The first statement that a table breaks, in words, or nullptr. Any bytes may be in the table.
+/// Returns the first statement that a table breaks, or nullptr. The table may have any bytes.
 const char* broken(const LinkTable& links);
 const char* broken(const FacetTables& facets);
 const char* broken(const ModelTable& model);

@@ -1,5 +1,5 @@
-// How many cases the tests try that would try everything: a part of them, or all where the
-// environment has DISCMC_ALL, as under `scripts/test --all`.
+// The share of cases that an exhaustive test tries: a part, or all if DISCMC_ALL is in the
+// environment, as under `scripts/test --all`.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace discmc::reference {
 
-// Always a part with an address sanitizer, where each scan takes some twenty times as long.
+// An address sanitizer always gets a part, because each scan takes about twenty times as long.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool is_slow = true;
 #elif defined(__has_feature)
@@ -20,7 +20,7 @@ constexpr bool is_slow = false;
 constexpr bool is_slow = false;
 #endif
 
-/// The step through a list of cases: all of them, or one in `thinned` of them.
+/// Returns the step through a list of cases: 1, or `thinned` to try one in that many.
 inline uint32_t step(uint32_t thinned) {
   static const bool takes_all = !is_slow && std::getenv("DISCMC_ALL") != nullptr;
   return takes_all ? 1 : thinned;

@@ -11,7 +11,7 @@ int64_t square(int64_t value) {
   return value * value;
 }
 
-// splitmix64 (Steele, Lea, Flood 2014): short, and the same everywhere.
+// splitmix64 (Steele, Lea, Flood 2014): short and portable.
 uint64_t next_random(uint64_t& state) {
   state += 0x9E3779B97F4A7C15;
   uint64_t mixed = state;
@@ -80,7 +80,7 @@ BitVolume spiral(Size size) {
            !slice.at(x + 2 * step_x, y + 2 * step_y, 0);
   };
   slice.on[0] = 1;
-  // A leg of one step would have the next one touch the wall.
+  // After a leg of one step, the next leg would touch the wall.
   for (int steps = 2; steps >= 2;) {
     for (steps = 0; is_free(); ++steps) {
       x += step_x;

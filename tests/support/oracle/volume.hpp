@@ -1,6 +1,6 @@
-// Volumes of on and off voxels, and the shapes that the tests are made of.
+// Volumes of on and off voxels, and the basic shapes of the tests.
 //
-// Everything here is integers, so that a volume is the same on every machine.
+// All values are integers, so that a volume is equal on every machine.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct Size {
   uint32_t width, height, depth;
 };
 
-/// A whole volume in memory; anywhere outside it is off.
+/// A whole volume in memory. Voxels outside it are off.
 struct BitVolume {
   uint32_t width, height, depth;
   std::vector<uint8_t> on;  ///< 0 or 1 per voxel; x runs fastest, then y, then z
@@ -47,7 +47,7 @@ struct BitVolume {
   }
 };
 
-/// On where on(x, y, z) holds. It is called in the order of storage.
+/// Turns voxels on if on(x, y, z). Calls `on` in the order of storage.
 template <class On>
 BitVolume volume_of(Size size, On on) {
   BitVolume volume(size);
@@ -74,11 +74,11 @@ void for_each_cell(const BitVolume& volume, bool is_closed, Visit visit) {
       }
 }
 
-/// On where the squared distance from the centre is at most `radius_squared`.
-/// Units: the centre in half-steps, so that it may lie between voxels; the radius in voxels.
+/// Voxels are on if the squared distance from the centre is at most `radius_squared`. Units: the
+/// centre in half-steps, so that it may lie between voxels; the radius in voxels.
 BitVolume ball(Size size, Vertex centre, int64_t radius_squared);
 
-/// On from the voxel `first` to the voxel `last`, both included. Units: voxels.
+/// Voxels from `first` to `last` are on, both included. Units: voxels.
 BitVolume box(Size size, Vertex first, Vertex last);
 
 /// A ring about the volume's centre, its axis along z. Units: half-steps.
@@ -90,25 +90,25 @@ BitVolume checkerboard(Size size);
 /// A checkerboard in x and y that does not change with z.
 BitVolume columns(Size size);
 
-/// One cell's corners, repeated every two voxels along each axis.
+/// The corners of one cell, repeated every two voxels along each axis.
 BitVolume tiling(Size size, Configuration configuration);
 
-/// A tiling among those with the most links in their rings.
+/// One of the tilings with the most links in their rings.
 inline BitVolume tiling_61(Size size) {
   return tiling(size, 61);
 }
 
-/// Each voxel on with a chance of `density` in 256, from a generator of our own.
+/// Each voxel is on with a chance of `density` in 256, from a portable generator.
 BitVolume random(Size size, uint32_t density, uint64_t seed);
 
-/// Teeth that only the last row joins: a sweep learns late that they are one region.
+/// Teeth that only the last row joins, so a sweep detects late that they are one region.
 BitVolume comb(Size size);
 
-/// A wall two voxels thick that winds inwards in every slice: its top and bottom have rings almost
-/// as long as a ring can be. Limit: no side is 0.
+/// A wall two voxels thick that winds inwards in every slice. Its top and bottom have rings that
+/// are almost as long as possible. Limit: no side is 0.
 BitVolume spiral(Size size);
 
-/// Voxel number i (x fastest) is on where bit i is set. Limit: 64 voxels.
+/// Voxel number i (x fastest) is on if bit i is set. Limit: 64 voxels.
 BitVolume from_bits(Size size, uint64_t bits);
 
 }  // namespace discmc::reference

@@ -1,4 +1,4 @@
-// Walls, and bars across them: every edge between the two may have as many chains as an edge can.
+// Walls, and bars across them: every edge between them may have the maximum number of chains.
 #pragma once
 
 #include <cstdint>

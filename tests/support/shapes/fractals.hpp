@@ -7,9 +7,9 @@ namespace discmc::shapes {
 
 struct Fractal {
   enum class Kind : uint8_t {
-    menger,      ///< a sponge: no place has a middle digit of base 3 along two axes
-    cantor,      ///< dust: no place has a middle digit along any
-    sierpinski,  ///< a tetrahedron: no two coordinates have a bit in common
+    menger,      ///< sponge: no voxel has a middle digit of base 3 along two axes
+    cantor,      ///< dust: no voxel has a middle digit along any axis
+    sierpinski,  ///< tetrahedron: no two coordinates share a bit
   };
 
   Kind kind;

@@ -7,7 +7,7 @@ namespace discmc::shapes {
 
 struct Saw {
   uint32_t pitch = 8;  ///< rows per tooth
-  uint32_t top = 5;    ///< rows that a tooth has at most; Limit: less than the pitch
+  uint32_t top = 5;    ///< most rows of a tooth; Limit: less than the pitch
   uint32_t rise = 4;   ///< slices until the next teeth begin
   uint32_t width = 3;  ///< columns per blade, with one more between blades
 

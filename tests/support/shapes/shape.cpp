@@ -106,7 +106,7 @@ On turned(On on, uint32_t turn) {
   }
 }
 
-// The finalizer of MurmurHash3 (Appleby): whether one voxel in some is noise.
+// Whether a voxel, one in some, is noise, by the finalizer of MurmurHash3 (Appleby).
 bool is_noise(uint32_t x, uint32_t y, uint32_t z, uint32_t seed, uint32_t one_in) {
   uint32_t mixed = x * 0x9E3779B1U ^ y * 0x85EBCA77U ^ z * 0xC2B2AE3DU ^ seed * 0x27D4EB2FU;
   mixed = (mixed ^ mixed >> 16) * 0x85EBCA6BU;
@@ -123,7 +123,7 @@ const char* name_of(Kind kind) {
 }
 
 On draw_shape(Kind kind, const Size& size, const Below& below) {
-  const uint32_t turn = below(16);  // most shapes as they are
+  const uint32_t turn = below(16);  // most shapes stay unchanged
   const uint32_t rough = below(8);
   const uint32_t seed = below(256);
   On on = turned(draw_upright(kind, size, below), turn);

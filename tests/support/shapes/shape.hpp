@@ -1,5 +1,5 @@
-// Volumes that reach: a kind of shape with parameters that a caller draws, by chance or from bytes.
-// None is held in memory.
+// Volumes that reach rare cases: shapes whose parameters the caller draws, at random or from bytes.
+// No volume is held in memory.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace discmc::shapes {
 
-/// A number below the limit; Limit: the limit is 1 to 256.
+/// Returns a number below the limit; Limit: the limit is 1 to 256.
 using Below = std::function<uint32_t(uint32_t limit)>;
 
 /// Whether a voxel is on.
@@ -30,7 +30,8 @@ constexpr uint32_t kinds = 9;
 
 const char* name_of(Kind kind);
 
-/// A shape of the kind, turned to any axes; now and then inverted, or with a few voxels of noise.
+/// Returns a shape of this kind, turned to any axes, sometimes inverted or with a few voxels of
+/// noise.
 On draw_shape(Kind kind, const reference::Size& size, const Below& below);
 
 }  // namespace discmc::shapes

@@ -11,7 +11,7 @@ struct Shells {
 
   Norm norm;
   uint32_t cell;       ///< voxels per nest, along each axis
-  uint32_t period;     ///< voxels from shell to shell; of balls, in square voxels
+  uint32_t period;     ///< voxels between shells; for balls, square voxels
   uint32_t thickness;  ///< Limit: less than the period
 
   bool operator()(uint32_t x, uint32_t y, uint32_t z) const {

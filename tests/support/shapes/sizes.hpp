@@ -1,5 +1,5 @@
-// Sizes at which something changes: rows of few voxels, and runs as long as the limits allow. Rows
-// also have sizes around powers of two in words of 30 columns.
+// Sizes near limits: rows of few voxels, runs of the maximum length, and rows around powers of two
+// in words of 30 columns.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace discmc::shapes {
 
-/// A side near a power of two from 16 to 4,096, or near the words of 30 columns around it.
+/// Draws a side near a power of two from 16 to 4,096, or near a word boundary (30 columns) there.
 inline uint32_t draw_side(const Below& below) {
   const uint32_t power = 16U << below(9);
   const uint32_t words = std::max(power / 30, 1U) + below(2);
@@ -19,7 +19,7 @@ inline uint32_t draw_side(const Below& below) {
   return middle + below(5) - 2;
 }
 
-/// A size of about the given number of voxels, with one or two wide sides.
+/// Draws a size of about this number of voxels, with one or two wide sides.
 inline reference::Size draw_wide_size(const Below& below, uint32_t voxels) {
   reference::Size size{draw_side(below), 0, 0};
   const uint32_t left = std::max(voxels / size.width, 6U);
@@ -30,7 +30,7 @@ inline reference::Size draw_wide_size(const Below& below, uint32_t voxels) {
   return size;
 }
 
-/// A size whose only long side is near its limit, or of 44,000 slices.
+/// Draws a size with one long side near its limit, or of 44,000 slices.
 inline reference::Size draw_long_size(const Below& below) {
   const uint32_t longest = Limits::max_extent - below(3);
   const uint32_t short_side = 1 + below(3), other = 2 + below(3);
@@ -44,7 +44,7 @@ inline reference::Size draw_long_size(const Below& below) {
   }
 }
 
-/// A size for the reference, which takes long.
+/// Draws a size for the reference, which is slow.
 inline reference::Size draw_small_size(const Below& below) {
   return {1 + below(36), 1 + below(9), 1 + below(9)};
 }
