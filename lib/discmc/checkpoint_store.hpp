@@ -226,7 +226,7 @@ class CheckpointStore {
   uint8_t* buffer_ = nullptr;
 
   bool has_newest_ = false;
-  bool read_failed_ = false;
+  bool has_read_failed_ = false;
   bool is_saving_ = false;
   uint32_t newest_ = 0;  // its slot
   uint32_t newest_bytes_ = 0;

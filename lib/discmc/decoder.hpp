@@ -90,7 +90,7 @@ class Decoder {
   RecordsPacketSink packet_sink_;
   PacketReader packets_;
   bool is_started_ = false;
-  bool start_is_sent_ = false;
+  bool is_start_sent_ = false;
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
 
   Stage stage_ = Stage::collect;
@@ -99,9 +99,9 @@ class Decoder {
   uint32_t sent_words_ = 0;                // words of the record that the sink has accepted
   uint32_t sent_runs_ = 0;                 // of them runs
   detail::stream::RecordNormals normals_;  // of the record
-  bool normals_are_ahead_ = false;         // of the next record
-  bool begin_is_due_ = false;
-  bool lost_is_due_ = false;
+  bool are_normals_ahead_ = false;         // of the next record
+  bool is_begin_due_ = false;
+  bool is_loss_due_ = false;
   bool is_first_ring_ = true;
   // What the sink has begun to receive.
   struct Open {

@@ -108,7 +108,7 @@ class Encoder {
   Status ready_for_packet(bool is_good);
   Status put_application(const ApplicationRecord& record);
 
-  bool packet_is_empty() const { return model_.coder().range.is_empty(); }
+  bool is_packet_empty() const { return model_.coder().range.is_empty(); }
   bool fits(const Model& model) const;
   void open_packet();
   void seal_records();

@@ -161,13 +161,13 @@ class Joiner {
   enum class Outlet : uint8_t { none, region, holes, loose, beginning };
   bool settle();
   Event next_event() const;
-  void go_on();
+  void select_next();
   void end_chain();
   void begin_delivery(Outlet outlet, Event::Kind kind, uint32_t chain);
   void begin_next_hole();
   void begin_loose(uint32_t chain);
-  void run_short();
-  void let_all_go();
+  void start_passing();
+  void deliver_all_loose();
   bool begin_next_loose();
 
   bool end();
@@ -198,7 +198,7 @@ class Joiner {
   // through; a `beginning` belongs to the arriving fragment.
   Outlet outlet_ = Outlet::none;
   Event::Kind next_kind_{};
-  bool is_letting_go_ = false;  // of all chains, one after another
+  bool is_delivering_all_ = false;  // of all chains, one after another
   uint32_t delivered_ = detail::join::no_chain;
   uint32_t claimed_ = detail::join::no_chain;  // the holes that follow
   uint32_t looked_at_ = 0;                     // the last chain, on a walk over all

@@ -62,7 +62,7 @@ class SampleWindow {
     for (uint32_t done = 0; done < count;) {
       const uint32_t taken = samples_of_row(count - done, rows_.column(), width_);
       rows_.append(samples + size_t{done} * stride, taken, stride);
-      if (rows_.row_is_complete()) rows_.next_row();
+      if (rows_.is_row_complete()) rows_.next_row();
       done += taken;
     }
     return Status::ok;

@@ -116,7 +116,7 @@ class SliceDecoder {
 
  private:
   // Between two bytes.
-  enum class Stage : uint8_t { collect, start, lose, read, hand_out, application, finish };
+  enum class Stage : uint8_t { collect, start, lose, read, deliver_rows, application, finish };
 
   void clear();
   void open(PacketReader::Completed arrival);
@@ -124,17 +124,17 @@ class SliceDecoder {
   void clear_rows();
   void open_slices();
   bool begin_key_slice();
-  void give_up();
+  void wait_for_key_slice();
   void read();
   bool can_read() const;
   bool is_at_cut() const;
   bool begin_row();
   bool read_step();
   void begin_fractions();
-  bool row_is_done() const { return row_.is_done() && fraction_code_.is_done(); }
+  bool is_row_done() const { return row_.is_done() && fraction_code_.is_done(); }
   bool read_note();
   bool deliver();
-  bool hand_out();
+  bool deliver_rows();
   bool report_loss();
   bool offer(RowEvent::Kind kind);
 
@@ -148,8 +148,8 @@ class SliceDecoder {
   bool is_laid_out_ = false;
   bool is_whole_ = false;      // nothing is lost since the last key slice began
   bool is_key_ahead_ = false;  // the next row is the first of a key slice
-  bool code_is_over_ = false;  // its last packet has come
-  bool row_is_begun_ = false;
+  bool is_code_over_ = false;  // its last packet has come
+  bool is_row_begun_ = false;
   uint8_t rest_bytes_ = 0;
   uint8_t rest_[detail::wire::packet_head];  // of the code, before the next packet of it
   uint8_t surface_ = 0;                      // whose row is read
@@ -168,7 +168,7 @@ class SliceDecoder {
   detail::slices::Fractions fractions_;
   uint16_t* fractions_of_row_ = nullptr;
   detail::slices::FractionCode fraction_code_;
-  bool knows_slice_before_ = false;      // of a key slice
+  bool is_slice_before_known_ = false;   // of a key slice
   uint8_t surfaces_with_fractions_ = 0;  // to be handed out: a bit per surface
 };
 

@@ -155,7 +155,7 @@ class SliceEncoder {
   /// Whether a row or the trailer is not encoded yet because the output is busy. If so, call
   /// resume() before save(). If not, encoded bytes may still wait for the output; resume() then
   /// returns Status::suspended.
-  bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
+  bool is_suspended() const { return is_row_due_ || state_ == State::finishing; }
 
   /// Seals the encoder's state, and sets parts[0] and parts[1] to its bytes: the object, and the
   /// first bytes_used() bytes of the memory. Copy them before the next call (checkpoint.hpp).
@@ -216,9 +216,9 @@ class SliceEncoder {
           samples_of_row(count - result.samples, column(), packets_.header().width);
       take(samples + size_t{result.samples} * stride, taken);
       result.samples += taken;
-      if (!surfaces_.rows().row_is_complete()) break;
+      if (!surfaces_.rows().is_row_complete()) break;
       note_ = detail::slices::RowNote::none;
-      row_is_due_ = true;
+      is_row_due_ = true;
       result.status = result.samples == count ? resume() : ready_for_row();
     }
     return result;
@@ -234,13 +234,13 @@ class SliceEncoder {
   bool work();
   bool encode_row();
   bool begin_row();
-  bool encode_what_precedes();
+  bool encode_row_start();
   bool keeps_slice() const { return key_slice_interval_ != 1 || fraction_flags_ != 0; }
   bool is_at_key_slice() const;
   void encode_note(detail::slices::RowNote note);
   // Whether the packet has room for a step or a note.
   DISCMC_ALWAYS_INLINE bool has_room() const {
-    return code_is_open_ && coder_.range.has_room(detail::slices::code_reserve);
+    return is_code_open_ && coder_.range.has_room(detail::slices::code_reserve);
   }
   bool make_room();
   void begin_code();
@@ -252,10 +252,10 @@ class SliceEncoder {
 
   State state_ = State::idle;
   detail::slices::RowNote note_ = detail::slices::RowNote::none;  // of the row that is due
-  bool row_is_due_ = false;
-  bool row_is_begun_ = false;
-  bool code_is_open_ = false;
-  bool key_is_due_ = false;  // regardless of the interval
+  bool is_row_due_ = false;
+  bool is_row_begun_ = false;
+  bool is_code_open_ = false;
+  bool is_key_due_ = false;  // regardless of the interval
   bool is_abandoned_ = false;
   uint8_t packet_bits_ = 0;  // of the packet: see detail::wire::SliceBits
   uint8_t surface_ = 0;      // whose row is being coded

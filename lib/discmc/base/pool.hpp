@@ -24,7 +24,7 @@ T* counted_from_one(T* first) {
 template <class Index>
 class SlotAccount {
  public:
-  /// Releases all slots, and resets the peak.
+  /// Frees all slots, and resets the peak.
   void clear() {
     free_ = no_slot;
     fresh_ = 0;
@@ -39,13 +39,13 @@ class SlotAccount {
   /// The peak: the most slots in use at once, without reserved ones.
   uint32_t peak() const { return fresh_; }
 
-  /// Reserves slots until release(), without choosing them. Limit: at least this many are
+  /// Reserves slots until unreserve(), without choosing them. Limit: at least this many are
   /// available().
   void reserve(uint32_t count = 1) {
     DISCMC_LIMIT(count <= available_);
     available_ -= count;
   }
-  void release(uint32_t count = 1) {
+  void unreserve(uint32_t count = 1) {
     DISCMC_LIMIT(count <= in_use());
     available_ += count;
   }
@@ -113,7 +113,7 @@ class Pool : public SlotAccount<Index> {
     this->capacity_ = capacity;
   }
 
-  /// Releases all slots, and resets the peak.
+  /// Frees all slots, and resets the peak.
   DISCMC_ALWAYS_INLINE void clear() {
     SlotAccount<Index>::clear();
     if (this->capacity_ > 0)
@@ -123,11 +123,11 @@ class Pool : public SlotAccount<Index> {
   /// Returns a slot with undefined members, or no_slot if all are in use.
   Index allocate() { return SlotAccount<Index>::allocate(sizeof(Slot)); }
   /// Returns the first of this many adjacent slots that were never used, or no_slot if there are
-  /// not enough. Release each slot separately.
+  /// not enough. Free each slot separately.
   Index allocate_fresh(uint32_t count) {
     return SlotAccount<Index>::allocate_fresh(count, sizeof(Slot));
   }
-  /// Releases a slot. Limit: it is in use.
+  /// Frees a slot. Limit: it is in use.
   void give(Index index) { SlotAccount<Index>::give(index, sizeof(Slot)); }
 
   /// Lets the caller access free slots, too, until they are allocated and freed again: checks.hpp.

@@ -40,7 +40,7 @@ Status CheckpointStore::start(const FlashDevice& device, uint32_t max_bytes, Mem
 // Searches checkpoints from the newest on. The number of a damaged checkpoint is not used again.
 Status CheckpointStore::find_newest() {
   has_newest_ = false;
-  read_failed_ = false;
+  has_read_failed_ = false;
   StoredHead head{}, bound{};
   for (uint32_t looked_at = 0; looked_at < plan_.slots; ++looked_at) {
     if (!find_head_before(looked_at > 0 ? &bound : nullptr, head, newest_)) break;
@@ -54,7 +54,7 @@ Status CheckpointStore::find_newest() {
     go_to_other_blocks();  // the rest of its block may be partly written
     return Status::ok;
   }
-  return read_failed_ ? Status::device_error : Status::ok;
+  return has_read_failed_ ? Status::device_error : Status::ok;
 }
 
 // Finds the newest header older than `bound`, or of all, and its slot. False if there is none.
@@ -120,7 +120,7 @@ bool CheckpointStore::read(uint32_t slot, uint32_t unit) {
   place_of(slot, unit, block, offset);
   if (device_.read(device_.context, block, offset, buffer_, device_.geometry.program_bytes) == 0)
     return true;
-  read_failed_ = true;
+  has_read_failed_ = true;
   return false;
 }
 

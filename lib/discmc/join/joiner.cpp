@@ -76,7 +76,7 @@ bool Joiner::begin_fragment(const Event& event) {
       fate_ = Fate::held;
       return true;
     }
-    run_short();
+    start_passing();
     if (!settle()) return false;
   }
   if (!pass_loose(event)) return false;
@@ -91,7 +91,7 @@ bool Joiner::add_run(const Event& event) {
     else if (chains().append(arriving_, event.run, event.normal))
       return true;
     else
-      run_short();
+      start_passing();
     if (!settle()) return false;
   }
   if (fate_ == Fate::ignored) return true;
@@ -174,7 +174,7 @@ void Joiner::place_fragment() {
     return;
   }
   const detail::join::WaitingChains::Result result = waiting_.join(arrived);
-  if (result.joined == detail::join::WaitingChains::Joined::no_room) return run_short();
+  if (result.joined == detail::join::WaitingChains::Joined::no_room) return start_passing();
   ++report_.received;
   fate_ = Fate::none;
   arriving_ = detail::join::no_chain;
@@ -195,10 +195,10 @@ void Joiner::forget_fragment() {
 }
 
 // From now on, all events pass, beginning with the held chains.
-void Joiner::run_short() {
+void Joiner::start_passing() {
   is_short_ = true;
   if (arriving_ != detail::join::no_chain) fate_ = Fate::passed;
-  let_all_go();
+  deliver_all_loose();
 }
 
 // ---- delivery ----
@@ -208,7 +208,7 @@ void Joiner::run_short() {
 bool Joiner::settle() {
   while (outlet_ != Outlet::none || begin_next_loose()) {
     if (!pass(next_event())) return false;
-    go_on();
+    select_next();
   }
   return true;
 }
@@ -233,7 +233,7 @@ Event Joiner::next_event() const {
 }
 
 // Selects the next event after the sink has accepted one.
-void Joiner::go_on() {
+void Joiner::select_next() {
   switch (next_kind_) {
     case Event::Kind::region:
       next_kind_ = Event::Kind::ring;
@@ -299,14 +299,14 @@ void Joiner::begin_loose(uint32_t chain) {
     chains().give(chain);
 }
 
-void Joiner::let_all_go() {
-  is_letting_go_ = true;
+void Joiner::deliver_all_loose() {
+  is_delivering_all_ = true;
   region_.forget(waiting_);
 }
 
 // Begins the delivery of the next chain that is passed on. False if none is left.
 bool Joiner::begin_next_loose() {
-  if (!is_letting_go_) return false;
+  if (!is_delivering_all_) return false;
   while (looked_at_ < chains().peak()) {
     const uint32_t chain = ++looked_at_;
     if (chain == arriving_ || chains().state(chain) == detail::join::HeldChain::State::unused)
@@ -314,7 +314,7 @@ bool Joiner::begin_next_loose() {
     begin_loose(chain);
     if (outlet_ != Outlet::none) return true;
   }
-  is_letting_go_ = false;
+  is_delivering_all_ = false;
   looked_at_ = 0;
   waiting_.forget();
   if (arriving_ == detail::join::no_chain) return false;
@@ -329,7 +329,7 @@ bool Joiner::begin_next_loose() {
 bool Joiner::end() {
   while (begin_next_outer())
     if (!settle()) return false;
-  let_all_go();
+  deliver_all_loose();
   return settle() && send_finish();
 }
 

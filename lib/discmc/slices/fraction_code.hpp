@@ -29,11 +29,11 @@ class FractionCode {
     left_ = 0;
     last_ = 0;
     has_key_edges_ = key_edges != KeyEdges::none;
-    knows_key_edges_ = key_edges == KeyEdges::known;
+    are_key_edges_known_ = key_edges == KeyEdges::known;
     known_ = FractionEntry::all;
     if (has_key_edges_) {
       known_ = FractionEntry::along_x_and_y;
-      has_key_fractions_ = knows_key_edges_ && (row.crosses & 4) != 0;
+      has_key_fractions_ = are_key_edges_known_ && (row.crosses & 4) != 0;
       row_.crosses = row.crosses & 3;
       row_.below = row_.below_behind = off;
       key_below_ = row.below;
@@ -181,10 +181,10 @@ class FractionCode {
   }
   // Returns a context from the voxels of the edge beside at x + 1. lower: as for beside().
   DISCMC_ALWAYS_INLINE uint32_t forward_context(uint32_t lower) const {
-    const bool upper_is_alike = (alike_ >> 2 & 1) != 0;
-    const bool lower_is_alike = (alike_ >> lower & 1) != 0;
-    if (upper_is_alike != lower_is_alike) return upper_is_alike ? 2 : 0;
-    return upper_is_alike == is_on_ ? 1 : 3;  // both on, or both off
+    const bool is_upper_alike = (alike_ >> 2 & 1) != 0;
+    const bool is_lower_alike = (alike_ >> lower & 1) != 0;
+    if (is_upper_alike != is_lower_alike) return is_upper_alike ? 2 : 0;
+    return is_upper_alike == is_on_ ? 1 : 3;  // both on, or both off
   }
 
   DISCMC_ALWAYS_INLINE uint32_t context_of(uint32_t axis) const {
@@ -230,18 +230,18 @@ class FractionCode {
       const uint32_t top = uint32_t{1} << (left_ - 1);
       left_ = top | coder.even(left_ - 1, count_ & (top - 1));
     }
-    if (left_ > row_.width || (knows_key_edges_ && left_ != count_)) return false;
+    if (left_ > row_.width || (are_key_edges_known_ && left_ != count_)) return false;
     part_ = left_ > 0 ? Part::key_edges : Part::done;
-    if (left_ > 0 && knows_key_edges_) begin_pass();
+    if (left_ > 0 && are_key_edges_known_) begin_pass();
     return true;
   }
 
   template <class Coder>
   void code_key_edge(Coder& coder) {
     const uint32_t context = fraction_context::key_edge + (last_ + 1U) / 2;
-    uint16_t& entry = row_.now[knows_key_edges_ ? voxel() : 0];
+    uint16_t& entry = row_.now[are_key_edges_known_ ? voxel() : 0];
     last_ = static_cast<uint8_t>(code_fraction(coder, context, entry >> 6 & eighths));
-    if (knows_key_edges_) {
+    if (are_key_edges_known_) {
       *row_.is_any = true;
       entry = static_cast<uint16_t>((entry & ~(eighths << 6)) | static_cast<uint32_t>(last_) << 6);
       pass_edge();
@@ -266,7 +266,7 @@ class FractionCode {
   Part part_ = Part::done;
   bool is_on_ = false;  // whether this voxel is on
   bool has_key_edges_ = false;
-  bool knows_key_edges_ = false;
+  bool are_key_edges_known_ = false;
   bool has_key_fractions_ = false;
 };
 

@@ -86,7 +86,7 @@ class FractionIntake {
       const uint32_t to_next = far.block - column % far.block;
       const uint32_t taken = count < to_next ? count : to_next;
       const Sample* const part = samples_ + column;
-      if (taken == far.block && far.reads_words(part) && far.block_is_off(part))
+      if (taken == far.block && far.reads_words(part) && far.is_block_off(part))
         fill_widths(column, far_width);
       else
         keep_widths(column, taken);
@@ -154,16 +154,16 @@ class FractionIntake {
   }
 
   // Returns the part of the edge that contains the crossing. Units: eighths from the lower end.
-  uint32_t fraction(uint32_t lower, uint32_t upper, bool upper_is_on) const {
+  uint32_t fraction(uint32_t lower, uint32_t upper, bool is_upper_on) const {
     const uint32_t whole = lower + upper;
-    uint32_t rest = 2 * (upper_is_on ? lower : upper);  // distance of the end that is off
+    uint32_t rest = 2 * (is_upper_on ? lower : upper);  // distance of the end that is off
     uint32_t eighths = levels_ == 2 ? 2 : 1;
     if (rest >= whole) {
       eighths += 4;
       rest -= whole;
     }
     if (levels_ == 4 && 2 * rest >= whole) eighths += 2;
-    return upper_is_on ? eighths : 8 - eighths;
+    return is_upper_on ? eighths : 8 - eighths;
   }
 
   int32_t threshold_;

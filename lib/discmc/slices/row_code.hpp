@@ -31,9 +31,9 @@ inline RowsBefore rows_before(const detail::trace::BitRows& rows, uint32_t heigh
           row(y >= 1, is_key ? 1 : height + 1), first};
 }
 /// Returns the number of rows to keep for these neighbours, including the arriving row.
-constexpr uint32_t rows_kept(uint32_t height, bool all_are_key) {
+constexpr uint32_t rows_kept(uint32_t height, bool are_all_key) {
   const uint32_t of_slice = height + 2;
-  return all_are_key || of_slice < 4 ? 4 : of_slice;
+  return are_all_key || of_slice < 4 ? 4 : of_slice;
 }
 
 /// The note before a row.

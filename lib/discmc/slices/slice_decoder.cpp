@@ -104,7 +104,7 @@ void SliceDecoder::clear_rows() {
 }
 
 // Nothing can be read until the next key slice.
-void SliceDecoder::give_up() {
+void SliceDecoder::wait_for_key_slice() {
   packets_.note_unreadable();
   is_whole_ = false;
   stage_ = Stage::collect;
@@ -121,7 +121,7 @@ void SliceDecoder::open_slices() {
     // A key slice begins a code; in the middle of a code it cannot be read.
     const bool begins_code = (bits & SliceBits::first) != 0;
     if (!begins_code || bytes < detail::wire::key_slice_head || !begin_key_slice())
-      return give_up();
+      return wait_for_key_slice();
     code += detail::wire::key_slice_head;
     bytes -= detail::wire::key_slice_head;
   }
@@ -129,11 +129,11 @@ void SliceDecoder::open_slices() {
     stage_ = Stage::collect;
     return;
   }
-  const bool goes_on_in_row = has_cut_;
-  code_is_over_ = (bits & SliceBits::last) != 0;
+  const bool continues_in_row = has_cut_;
+  is_code_over_ = (bits & SliceBits::last) != 0;
   has_cut_ = (bits & SliceBits::cut) != 0;
   if (has_cut_) {
-    if (bytes < detail::wire::cut_tail || !code_is_over_) return give_up();
+    if (bytes < detail::wire::cut_tail || !is_code_over_) return wait_for_key_slice();
     bytes -= detail::wire::cut_tail;
     detail::wire::ByteReader tail(code + bytes, detail::wire::cut_tail);
     cut_row_ = static_cast<uint32_t>(tail.get(4));
@@ -146,8 +146,8 @@ void SliceDecoder::open_slices() {
   }
   // A code begins with a row, or at the cut of the previous code. Its first packet has the bytes
   // that a decoder reads first.
-  if (row_is_begun_ != goes_on_in_row || (bytes < max_of_a_step && !code_is_over_))
-    return give_up();
+  if (is_row_begun_ != continues_in_row || (bytes < max_of_a_step && !is_code_over_))
+    return wait_for_key_slice();
   coder_.range = RangeDecoder(code, bytes);
 }
 
@@ -159,12 +159,12 @@ bool SliceDecoder::begin_key_slice() {
   next_slice_ = slice;
   is_whole_ = true;
   is_key_ahead_ = true;
-  row_is_begun_ = false;
+  is_row_begun_ = false;
   surface_ = 0;
   surfaces_with_fractions_ = 0;
   has_cut_ = false;
   surfaces_.begin_key_slice();
-  knows_slice_before_ = slice > 0 && lost_rows_ == 0;
+  is_slice_before_known_ = slice > 0 && lost_rows_ == 0;
   if (header().levels != 0) fractions_.begin_models();
   return true;
 }
@@ -173,11 +173,11 @@ bool SliceDecoder::begin_key_slice() {
 
 // Whether the present bytes suffice for any step.
 bool SliceDecoder::can_read() const {
-  return code_is_over_ || coder_.range.left() >= max_of_a_step;
+  return is_code_over_ || coder_.range.left() >= max_of_a_step;
 }
 
 bool SliceDecoder::is_at_cut() const {
-  if (!has_cut_ || !row_is_begun_) return false;
+  if (!has_cut_ || !is_row_begun_) return false;
   const uint32_t left = row_.is_done() ? fraction_code_.left() : row_.left();
   const uint32_t part = row_.is_done() ? fraction_code_.part() : 0;
   const uint64_t rows = (passed_rows_ + part) * surfaces_.count() + surface_;
@@ -191,19 +191,19 @@ void SliceDecoder::read() {
       stage_ = Stage::collect;
       return;
     }
-    const bool is_good = row_is_begun_ ? read_step() : begin_row();
-    if (!is_good || coder_.range.is_exhausted()) return give_up();
+    const bool is_good = is_row_begun_ ? read_step() : begin_row();
+    if (!is_good || coder_.range.is_exhausted()) return wait_for_key_slice();
     if (note_ == RowNote::end) {
       stage_ = Stage::collect;
       return;
     }
-    if (row_is_done()) {
-      row_is_begun_ = false;
+    if (is_row_done()) {
+      is_row_begun_ = false;
       if (header().levels != 0 && fractions_.is_any(surface_))
         surfaces_with_fractions_ |= static_cast<uint8_t>(1 << surface_);
       if (++surface_ < surfaces_.count()) continue;
       surface_ = 0;
-      stage_ = Stage::hand_out;
+      stage_ = Stage::deliver_rows;
       return;
     }
   }
@@ -217,14 +217,14 @@ void SliceDecoder::read() {
 bool SliceDecoder::begin_row() {
   if (surface_ == 0) {
     if (!read_note()) return false;
-    if (note_ == RowNote::end) return code_is_over_;
+    if (note_ == RowNote::end) return is_code_over_;
     if (surfaces_.rows().rows() == 0 && !is_key_ahead_) surfaces_.begin_following_slice();
     is_key_ahead_ = false;
   }
   detail::trace::BitRows& rows = surfaces_[surface_].rows;
   if (note_ == RowNote::repeated) rows.repeat();  // otherwise it stays off
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? header().width : 0);
-  row_is_begun_ = true;
+  is_row_begun_ = true;
   fraction_code_.end();
   if (header().levels != 0) fractions_.begin_row(rows, surface_);
   return true;
@@ -243,12 +243,12 @@ bool SliceDecoder::read_step() {
 void SliceDecoder::begin_fractions() {
   using KeyEdges = detail::slices::FractionCode::KeyEdges;
   const bool is_key = surfaces_.is_in_key_slice();
-  const bool knows_slice_before = !is_key || knows_slice_before_;
-  const KeyEdges key_edges = !is_key || slice_ == 0 ? KeyEdges::none
-                             : knows_slice_before   ? KeyEdges::known
-                                                    : KeyEdges::unknown;
+  const bool is_slice_before_known = !is_key || is_slice_before_known_;
+  const KeyEdges key_edges = !is_key || slice_ == 0  ? KeyEdges::none
+                             : is_slice_before_known ? KeyEdges::known
+                                                     : KeyEdges::unknown;
   const detail::trace::BitRows& rows = surfaces_[surface_].rows;
-  fraction_code_.begin(fractions_.around(rows, surface_, knows_slice_before),
+  fraction_code_.begin(fractions_.around(rows, surface_, is_slice_before_known),
                        fractions_.model(surface_), key_edges, rows.off());
 }
 
@@ -276,8 +276,8 @@ bool SliceDecoder::deliver() {
       case Stage::read:
         read();
         break;
-      case Stage::hand_out:
-        if (!hand_out()) return false;
+      case Stage::deliver_rows:
+        if (!deliver_rows()) return false;
         stage_ = Stage::read;
         break;
       case Stage::start:
@@ -307,7 +307,7 @@ bool SliceDecoder::report_loss() {
 }
 
 // Delivers the rows of all surfaces, or of none: a loss affects all of them.
-bool SliceDecoder::hand_out() {
+bool SliceDecoder::deliver_rows() {
   const bool is_row = note_ == RowNote::none;
   for (; surface_ < surfaces_.count(); ++surface_) {
     if ((surfaces_with_fractions_ >> surface_ & 1) != 0) {

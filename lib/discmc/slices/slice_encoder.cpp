@@ -33,11 +33,11 @@ Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
   if (!lay_out(memory)) return Status::too_little_memory;
   surfaces_.clear();
   state_ = State::scanning;
-  row_is_due_ = false;
-  row_is_begun_ = false;
+  is_row_due_ = false;
+  is_row_begun_ = false;
   surface_ = 0;
-  code_is_open_ = false;
-  key_is_due_ = false;
+  is_code_open_ = false;
+  is_key_due_ = false;
   is_abandoned_ = false;
   encoded_rows_ = 0;
   skipped_rows_ = 0;
@@ -61,7 +61,7 @@ Status SliceEncoder::ready_for_row() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   (void)work();
-  if (row_is_due_) return Status::suspended;  // the waiting row occupies the next row's place
+  if (is_row_due_) return Status::suspended;  // the waiting row occupies the next row's place
   if (slices() >= Limits::max_slices) return Status::too_many_slices;
   return Status::ok;
 }
@@ -105,7 +105,7 @@ PushResult SliceEncoder::skip_row(Substitute substitute) {
 
 PushResult SliceEncoder::process_row(RowNote note) {
   note_ = note;
-  row_is_due_ = true;
+  is_row_due_ = true;
   return {resume(), packets_.header().width};
 }
 
@@ -117,7 +117,7 @@ Status SliceEncoder::resume() {
 Status SliceEncoder::flush() {
   if (state_ == State::idle) return Status::not_started;
   if (!work()) return Status::suspended;
-  if (code_is_open_ && !end_code()) return Status::suspended;
+  if (is_code_open_ && !end_code()) return Status::suspended;
   return Status::ok;
 }
 
@@ -137,13 +137,13 @@ Status SliceEncoder::write_record(const ApplicationRecord& record) {
 // A receiver on the new output can read from there on.
 void SliceEncoder::set_output(const ByteOutput& output) {
   packets_.set_output(output);
-  if (output.write != nullptr) packets_.repeat_header(!code_is_open_);
-  key_is_due_ = true;
+  if (output.write != nullptr) packets_.repeat_header(!is_code_open_);
+  is_key_due_ = true;
 }
 
 Status SliceEncoder::finish() {
   if (state_ == State::scanning) {
-    const bool is_last_due = row_is_due_ && rows() + 1 == packets_.header().height;
+    const bool is_last_due = is_row_due_ && rows() + 1 == packets_.header().height;
     const bool is_between = rows() == 0 && column() == 0;
     if (!is_last_due && !is_between) return Status::slice_in_progress;
     state_ = State::finishing;
@@ -192,9 +192,9 @@ Status SliceEncoder::restore_object(uint32_t object_bytes, Memory memory,
 // Does all pending work. Returns false if the output is busy.
 bool SliceEncoder::work() {
   if (!packets_.drain()) return false;
-  if (row_is_due_ && !encode_row()) return false;
+  if (is_row_due_ && !encode_row()) return false;
   if (state_ == State::finishing) {
-    if (code_is_open_ && !end_code()) return false;
+    if (is_code_open_ && !end_code()) return false;
     const uint32_t slices_seen = slices() + (rows() > 0 ? 1 : 0);
     packets_.seal_slices_trailer(slices_seen, is_abandoned_, encoded_rows_, skipped_rows_);
     state_ = State::finished;
@@ -204,33 +204,33 @@ bool SliceEncoder::work() {
 
 bool SliceEncoder::encode_row() {
   for (; surface_ < surfaces_.count(); ++surface_) {
-    if (!row_is_begun_ && !begin_row()) return false;
+    if (!is_row_begun_ && !begin_row()) return false;
     while (!row_.is_done()) {
       if (!has_room() && !make_room()) return false;
       row_.step(coder_, surfaces_[surface_].model);
     }
     if (code_fractions_ != nullptr && !code_fractions_(*this)) return false;
-    row_is_begun_ = false;
+    is_row_begun_ = false;
   }
   surface_ = 0;
-  row_is_due_ = false;
+  is_row_due_ = false;
   ++encoded_rows_;
   surfaces_.next_row();
   return true;
 }
 
 DISCMC_ALWAYS_INLINE bool SliceEncoder::begin_row() {
-  if (surface_ == 0 && !encode_what_precedes()) return false;
+  if (surface_ == 0 && !encode_row_start()) return false;
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? packets_.header().width : 0);
-  row_is_begun_ = true;
+  is_row_begun_ = true;
   return true;
 }
 
 // Writes what precedes the voxels of a row.
-DISCMC_ALWAYS_INLINE bool SliceEncoder::encode_what_precedes() {
+DISCMC_ALWAYS_INLINE bool SliceEncoder::encode_row_start() {
   const bool begins_key_slice = is_at_key_slice();
   if (begins_key_slice) {
-    if (code_is_open_ && !end_code()) return false;
+    if (is_code_open_ && !end_code()) return false;
     surfaces_.begin_key_slice();
     if (note_ == RowNote::repeated) {
       note_ = RowNote::off;  // a key slice must not depend on earlier rows
@@ -240,15 +240,15 @@ DISCMC_ALWAYS_INLINE bool SliceEncoder::encode_what_precedes() {
   if (!has_room() && !make_room()) return false;
   encode_note(note_);
   if (rows() == 0 && !begins_key_slice) surfaces_.begin_following_slice();
-  if (begins_key_slice) key_is_due_ = false;
+  if (begins_key_slice) is_key_due_ = false;
   return true;
 }
 
 // Limit: between two rows.
 bool SliceEncoder::is_at_key_slice() const {
-  DISCMC_LIMIT(!row_is_begun_);
+  DISCMC_LIMIT(!is_row_begun_);
   return rows() == 0 &&
-         (key_is_due_ || detail::slices::is_key_slice(slices(), key_slice_interval_));
+         (is_key_due_ || detail::slices::is_key_slice(slices(), key_slice_interval_));
 }
 
 void SliceEncoder::encode_note(RowNote note) {
@@ -268,7 +268,7 @@ static_assert(detail::wire::key_slice_head + 2 * code_reserve +
 // Makes room in the packet for a step or a note. Returns false if the output is busy. Limit: there
 // is no room.
 bool SliceEncoder::make_room() {
-  if (code_is_open_) {
+  if (is_code_open_) {
     // The code ends if hardly a byte is final, because a carry may change all others.
     if (coder_.range.final_bytes() < code_reserve) {
       if (!cut_code()) return false;
@@ -278,12 +278,12 @@ bool SliceEncoder::make_room() {
       if (!packets_.drain()) return false;
     }
   }
-  if (!code_is_open_) begin_code();
+  if (!is_code_open_) begin_code();
   return true;
 }
 
 DISCMC_ALWAYS_INLINE void SliceEncoder::begin_code() {
-  const bool is_key = !row_is_begun_ && is_at_key_slice();
+  const bool is_key = !is_row_begun_ && is_at_key_slice();
   packet_bits_ = detail::wire::SliceBits::first;
   uint8_t* code = packets_.payload();
   if (is_key) {
@@ -292,7 +292,7 @@ DISCMC_ALWAYS_INLINE void SliceEncoder::begin_code() {
   }
   const auto head = static_cast<size_t>(code - packets_.payload());
   coder_.range = RangeEncoder(code, packets_.max_payload() - head);
-  code_is_open_ = true;
+  is_code_open_ = true;
 }
 
 // Ends the code between two rows.
@@ -303,7 +303,7 @@ bool SliceEncoder::end_code() {
 
 // Ends the code at any position.
 DISCMC_ALWAYS_INLINE bool SliceEncoder::cut_code() {
-  return row_is_begun_ ? close_code(detail::wire::SliceBits::cut) : end_code();
+  return is_row_begun_ ? close_code(detail::wire::SliceBits::cut) : end_code();
 }
 
 bool SliceEncoder::close_code(uint8_t bits) {
@@ -315,7 +315,7 @@ bool SliceEncoder::close_code(uint8_t bits) {
     end = detail::wire::put(end, row_.left(), 2);
   }
   seal(end);
-  code_is_open_ = false;
+  is_code_open_ = false;
   return packets_.drain();
 }
 

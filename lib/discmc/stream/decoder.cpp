@@ -22,9 +22,9 @@ void Decoder::start_next(const PacketReader& before) {
 
 void Decoder::clear() {
   is_started_ = true;
-  start_is_sent_ = false;
+  is_start_sent_ = false;
   stage_ = Stage::collect;
-  lost_is_due_ = false;
+  is_loss_due_ = false;
   is_open_ = false;
 }
 
@@ -51,7 +51,7 @@ void Decoder::open(PacketReader::Completed arrival) {
   if (arrival == PacketReader::Completed::records) {
     model_ =
         detail::stream::ReadingModel({RangeDecoder(packets_.payload(), packets_.payload_bytes())});
-    normals_are_ahead_ = false;
+    are_normals_ahead_ = false;
     const bool may_pass = packets_.whole_regions() > 0 && packet_sink_.accept != nullptr;
     if (may_pass) lose_open();
     stage_ = may_pass ? Stage::whole_regions : Stage::records;
@@ -64,7 +64,7 @@ void Decoder::open(PacketReader::Completed arrival) {
 
 // The current piece cannot be completed: the sink receives `lost`.
 void Decoder::lose_open() {
-  lost_is_due_ = lost_is_due_ || is_open_;
+  is_loss_due_ = is_loss_due_ || is_open_;
   is_open_ = false;
 }
 
@@ -94,8 +94,8 @@ void Decoder::note_finish() {
 // Reads the next record of the packet, and selects the stage that delivers it.
 void Decoder::read_record() {
   bool is_good = true;
-  if (!normals_are_ahead_) normals_.clear();
-  normals_are_ahead_ = false;
+  if (!are_normals_ahead_) normals_.clear();
+  are_normals_ahead_ = false;
   const RecordKind kind = model_.record_kind(RecordKind::end);
   stage_ = Stage::record;
   switch (kind) {
@@ -137,7 +137,7 @@ void Decoder::read_extension() {
   if (type >= detail::stream::first_normals_extension &&
       type <= detail::stream::last_normals_extension) {
     normals_.decode(model_, type, bytes);
-    normals_are_ahead_ = true;
+    are_normals_ahead_ = true;
     return;
   }
   for (; bytes > 0; --bytes) model_.even(8, 0);
@@ -162,10 +162,11 @@ void Decoder::read_mark(RecordKind kind) {
 void Decoder::begin_record() {
   sent_words_ = 0;
   sent_runs_ = 0;
-  begin_is_due_ = !record_.continues;
-  const bool goes_on = record_.continues && is_open_ && open_.incidence == record_.incidence &&
-                       open_.is_fragment == record_.is_fragment;
-  if (goes_on) return;
+  is_begin_due_ = !record_.continues;
+  const bool is_continuation = record_.continues && is_open_ &&
+                               open_.incidence == record_.incidence &&
+                               open_.is_fragment == record_.is_fragment;
+  if (is_continuation) return;
   lose_open();
   if (!record_.continues) return;
   if (record_.is_last) {
@@ -180,11 +181,11 @@ void Decoder::begin_record() {
 // Offers all pending events to the sink. False if the sink does not accept one.
 bool Decoder::deliver() {
   for (;;) {
-    if (lost_is_due_) {
+    if (is_loss_due_) {
       Event event{};
       event.kind = Event::Kind::lost;
       if (!offer(event)) return false;
-      lost_is_due_ = false;
+      is_loss_due_ = false;
     }
     if (!send_start()) return false;
     switch (stage_) {
@@ -210,8 +211,8 @@ bool Decoder::deliver() {
 
 // Before the first header the sink has no scan, and receives events as usual.
 void Decoder::pass_whole_regions() {
-  stage_ = start_is_sent_ ? Stage::collect : Stage::records;
-  if (!start_is_sent_) return;
+  stage_ = is_start_sent_ ? Stage::collect : Stage::records;
+  if (!is_start_sent_) return;
   const uint32_t count = packets_.whole_regions();
   packet_sink_.accept(packet_sink_.context,
                       {packets_.payload(), packets_.payload_bytes(), count, true});
@@ -223,25 +224,25 @@ void Decoder::pass_whole_regions() {
 // decoder.
 bool Decoder::send_start() {
   const bool is_there = report().has_header && !report().holds_slices;
-  if (start_is_sent_ || !is_there || is_open_) return true;
+  if (is_start_sent_ || !is_there || is_open_) return true;
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header();
-  start_is_sent_ = offer(event);
-  return start_is_sent_;
+  is_start_sent_ = offer(event);
+  return is_start_sent_;
 }
 
 bool Decoder::deliver_record() {
   Event event{};
   event.incidence = record_.incidence;
-  if (begin_is_due_) {
+  if (is_begin_due_) {
     event.kind = record_.is_fragment ? Event::Kind::fragment : Event::Kind::region;
     if (record_.is_fragment) {
       event.start = record_.start_at(0);
       event.incoming_direction = record_.incoming;
     }
     if (!offer(event)) return false;
-    begin_is_due_ = false;
+    is_begin_due_ = false;
     open_ = {record_.incidence, record_.is_fragment};
     is_open_ = true;
     is_first_ring_ = true;

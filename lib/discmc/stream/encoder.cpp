@@ -132,13 +132,13 @@ Status Encoder::append(const RecordsPacket& packet) {
 
 void Encoder::set_output(const ByteOutput& output) {
   packets_.set_output(output);
-  if (output.write != nullptr) packets_.repeat_header(packet_is_empty());
+  if (output.write != nullptr) packets_.repeat_header(is_packet_empty());
 }
 
 Status Encoder::flush() {
   if (state_ == State::idle) return Status::ok;
   if (!drain()) return Status::suspended;
-  if (!packet_is_empty()) seal_records();
+  if (!is_packet_empty()) seal_records();
   return drain() ? Status::ok : Status::suspended;
 }
 
@@ -211,7 +211,7 @@ DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
       break;
     }
     // What does not fit into the rest of this packet goes into the next one.
-    if (is_encoded && !packet_is_empty()) return false;
+    if (is_encoded && !is_packet_empty()) return false;
     // A distant start with all normals may not fit into one packet.
     if (is_part) words -= words / 4;
     state_ = State::in_parts;

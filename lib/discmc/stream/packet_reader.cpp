@@ -55,8 +55,8 @@ void PacketReader::start(uint8_t channel) {
   header_ = detail::wire::no_header();
   report_ = StreamReport{};
   is_refused_ = false;
-  gap_is_due_ = false;
-  gap_is_noted_ = true;
+  is_gap_due_ = false;
+  is_gap_noted_ = true;
   pieces_passed_ = 0;
   frame_bytes_ = 0;
 }
@@ -89,12 +89,12 @@ PacketReader::Completed PacketReader::add(uint8_t byte) {
 void PacketReader::finish() {
   if (frame_bytes_ > 0) damage();
   frame_bytes_ = 0;
-  gap_is_due_ = true;
+  is_gap_due_ = true;
 }
 
 bool PacketReader::remove_gap() {
-  const bool was_due = gap_is_due_;
-  gap_is_due_ = false;
+  const bool was_due = is_gap_due_;
+  is_gap_due_ = false;
   return was_due;
 }
 
@@ -222,8 +222,8 @@ bool PacketReader::accept_long_number(const uint8_t* packet) {
 
 void PacketReader::note_gap(uint64_t packets, uint64_t pieces) {
   if (packets == 0 && pieces == 0) return;
-  gap_is_noted_ = true;
-  gap_is_due_ = true;
+  is_gap_noted_ = true;
+  is_gap_due_ = true;
   report_.lost_packets += packets;
   report_.lost_pieces += pieces;
   pieces_passed_ += pieces;
@@ -256,15 +256,15 @@ bool PacketReader::read_header() {
       packet.pieces_before > pieces_passed_ ? packet.pieces_before - pieces_passed_ : 0;
   // A gap that was noted too small, by multiples of the short number, was before the open piece.
   // The number of packets of slices is longer.
-  const bool may_be_noted = gap_is_noted_ && !report_.holds_slices;
+  const bool may_be_noted = is_gap_noted_ && !report_.holds_slices;
   const bool is_gap_here =
       packets_missing % 256 != 0 || pieces > 0 || (packets_missing > 0 && !may_be_noted);
   report_.lost_packets += packets_missing;
   if (is_gap_here) {
     note_gap(0, pieces);
-    gap_is_due_ = true;
+    is_gap_due_ = true;
   }
-  gap_is_noted_ = false;
+  is_gap_noted_ = false;
   return true;
 }
 

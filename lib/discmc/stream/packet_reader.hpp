@@ -77,8 +77,8 @@ class PacketReader {
   uint8_t channel_ = any_channel;
   bool is_refused_ = false;
   bool has_tag_ = false;
-  bool gap_is_due_ = false;
-  bool gap_is_noted_ = true;  // since the last header; packets before the start are a gap
+  bool is_gap_due_ = false;
+  bool is_gap_noted_ = true;  // since the last header; packets before the start are a gap
   bool has_ended_tag_ = false;
   uint32_t ended_tag_ = 0;      // of the previous scan
   uint32_t tag_ = 0;            // of the accepted packets: scan and channel

@@ -127,10 +127,10 @@ void PacketWriter::set_output(const ByteOutput& output) {
   output_.unsent = [](void*) { return size_t{0}; };
 }
 
-void PacketWriter::repeat_header(bool packet_is_empty) {
+void PacketWriter::repeat_header(bool is_packet_empty) {
   if (!is_under_way_) return;
   packets_since_header_ = detail::wire::header_interval;
-  if (is_open() && packet_is_empty) seal_header();
+  if (is_open() && is_packet_empty) seal_header();
 }
 
 Status PacketWriter::ready_for_checkpoint() const {

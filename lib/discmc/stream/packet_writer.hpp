@@ -63,7 +63,7 @@ class PacketWriter {
   void set_output(const ByteOutput& output);
   /// Repeats the header, for a receiver that joins late: at once if the open packet is empty,
   /// otherwise after it. Does nothing after a trailer.
-  void repeat_header(bool packet_is_empty);
+  void repeat_header(bool is_packet_empty);
 
  private:
   void seal_header();

@@ -49,14 +49,14 @@ constexpr int32_t signed_of(uint32_t positive) {
   return static_cast<int32_t>(number >> 1 ^ (0 - (number & 1)));
 }
 
-/// An incidence, seen along an axis. along: its component on the axis, plus one. across: the other
+/// An incidence, seen along an axis. along: its component on the axis, plus one. heading: the other
 /// two components, plus one each, as digits of base 3; the later axis has the high digit.
-struct Heading {
+struct IncidenceOnAxis {
   uint32_t along;
-  uint32_t across;
+  uint32_t heading;
 };
 
-constexpr Heading heading_of(Incidence incidence, uint32_t axis) {
+constexpr IncidenceOnAxis on_axis(Incidence incidence, uint32_t axis) {
   const uint32_t z = incidence * 57U >> 9;  // a ninth, up to 26
   const uint32_t xy = incidence - 9U * z;
   const uint32_t y = xy * 11U >> 5;  // a third, up to 8
@@ -65,12 +65,12 @@ constexpr Heading heading_of(Incidence incidence, uint32_t axis) {
   if (axis == 1) return {y, x + 3 * z};
   return {z, xy};
 }
-constexpr Incidence incidence_of(const Heading& heading, uint32_t axis) {
-  const uint32_t high = heading.across / 3;
-  const uint32_t low = heading.across % 3;
-  if (axis == 0) return static_cast<Incidence>(heading.along + 3 * low + 9 * high);
-  if (axis == 1) return static_cast<Incidence>(low + 3 * heading.along + 9 * high);
-  return static_cast<Incidence>(low + 3 * high + 9 * heading.along);
+constexpr Incidence incidence_of(const IncidenceOnAxis& seen, uint32_t axis) {
+  const uint32_t high = seen.heading / 3;
+  const uint32_t low = seen.heading % 3;
+  if (axis == 0) return static_cast<Incidence>(seen.along + 3 * low + 9 * high);
+  if (axis == 1) return static_cast<Incidence>(low + 3 * seen.along + 9 * high);
+  return static_cast<Incidence>(low + 3 * high + 9 * seen.along);
 }
 
 /// Returns the class of an incidence: 0 diagonal, 1 corner, 2 along an axis.
@@ -156,7 +156,7 @@ class RecordModel {
   /// Codes the first direction of a fragment or a part, or the direction on the other side of the
   /// vertex where it was cut.
   Direction chain_direction(Direction direction) {
-    if (direction_ != no_direction) return turn_from(rows::cut_turn + is_level(), direction);
+    if (direction_ != no_direction) return turn_from(rows::cut_turn + level_bit(), direction);
     return direction_ = static_cast<Direction>(of_direction(rows::first_direction, direction));
   }
   /// Codes the length of a run along a direction, or the rest of its length.
@@ -168,7 +168,7 @@ class RecordModel {
   Run run(Run run);
   /// Codes whether the last coded run is the last of its chain.
   bool is_last_run(bool is_last) {
-    return symbol(rows::is_last + 4 * chain_ + 2 * is_level(), is_last ? 1 : 0) != 0;
+    return symbol(rows::is_last + 4 * chain_ + 2 * level_bit(), is_last ? 1 : 0) != 0;
   }
 
   /// Codes the header of a part, and sets it in the record. Returns whether the part begins a ring.
@@ -186,9 +186,9 @@ class RecordModel {
   }
   uint32_t number(uint32_t row, uint32_t value);
   void set_incidence(Incidence incidence);
-  // Whether the link coded last stays within its slice. Links are numbered in the order of z: 5
-  // lead down, 8 are level, 5 lead up. The second half is opposite to the first.
-  uint32_t is_level() const {
+  // Returns 1 if the last coded link stays within its slice, otherwise 0. Links are numbered in the
+  // order of z: 5 lead down, 8 are level, 5 lead up. The second half is opposite to the first.
+  uint32_t level_bit() const {
     const uint32_t half = directions() / 2;
     const uint32_t link =
         detail::link_table.link[incidence_][direction_ < half ? direction_ : direction_ - half];
@@ -320,14 +320,14 @@ Incidence RecordModel<Coder>::incidence(Incidence incidence) {
   using rows::other_heading;
   uint32_t code = other_heading;
   if (axis_ < 3) {
-    const Heading to = heading_of(incidence, axis_);
+    const IncidenceOnAxis to = on_axis(incidence, axis_);
     uint32_t sign = 1;
-    if (is_same_voxel_ && axis_before_ < 3) sign = heading_of(incidence_, axis_before_).along;
+    if (is_same_voxel_ && axis_before_ < 3) sign = on_axis(incidence_, axis_before_).along;
     if (sign == 1) sign = 2 * even(1, to.along >> 1);
-    const auto seen = [sign](uint32_t across) { return sign == 0 ? 8 - across : across; };
-    const uint32_t by = seen(heading_of(incidence_, axis_).across);
+    const auto seen = [sign](uint32_t heading) { return sign == 0 ? 8 - heading : heading; };
+    const uint32_t by = seen(on_axis(incidence_, axis_).heading);
     code = symbol(rows::headings + rows::of_headings * by,
-                  to.along == sign ? seen(to.across) : other_heading);
+                  to.along == sign ? seen(to.heading) : other_heading);
     if constexpr (!Coder::writes) incidence = incidence_of({sign, seen(code)}, axis_);
   }
   if (code == other_heading) incidence = static_cast<Incidence>(even(5, incidence));

@@ -83,7 +83,7 @@ class BitRows {
   void repeat();
 
   uint32_t column() const { return column_; }
-  bool row_is_complete() const { return column_ == width_; }
+  bool is_row_complete() const { return column_ == width_; }
   /// Ends the arriving row and begins the next one of the slice.
   void next_row();
 

@@ -472,7 +472,7 @@ uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   if (queue < first_rising_queue) return slots_per_pass;
   uint32_t needed = slots_per_pass + kept_for_slice_;
   if (is_loose(mate)) needed += kept_for_slice_ / 2;
-  if (queues_.last_is_lost(slots_, queue)) needed += kept_for_slice_ / 4;
+  if (queues_.is_last_lost(slots_, queue)) needed += kept_for_slice_ / 4;
   return needed;
 }
 

@@ -59,7 +59,7 @@ class GradientIntake {
   RowOrigin append(detail::trace::BitRows& rows, const Sample* samples, uint32_t count,
                    uint32_t stride, int32_t threshold) {
     samples_.append(samples, count, stride);
-    if (!samples_.row_is_complete()) return RowOrigin::samples;
+    if (!samples_.is_row_complete()) return RowOrigin::samples;
     end_row(width_);
     return pass_on_due(rows, threshold);
   }

@@ -42,7 +42,7 @@ class BitIntake {
   RowOrigin append(detail::trace::BitRows& rows, const Sample* samples, uint32_t count,
                    uint32_t stride, int32_t threshold) {
     rows.append(samples, count, stride, threshold);
-    if (rows.row_is_complete()) rows.next_row();
+    if (rows.is_row_complete()) rows.next_row();
     return RowOrigin::samples;
   }
   /// Processes a row that never arrived. Limit: column() == 0.

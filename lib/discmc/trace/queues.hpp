@@ -39,7 +39,7 @@ class Queues {
   }
 
   /// Whether a lost end is the last entry of a queue.
-  bool last_is_lost(const Slots& slots, uint8_t number) const {
+  bool is_last_lost(const Slots& slots, uint8_t number) const {
     const Queue<Index>& queue = queues_[number];
     if (queue.head == no_slot) return false;
     return is_count(queue) || slots[queue.tail].end.mate == no_slot;
@@ -70,7 +70,7 @@ class Queues {
     if (is_count(queue)) return set_count(queue, count_of(queue) + 1);
     End<Index, Normal>& last = slots[queue.tail].end;
     if (last.mate == no_slot) return set_lost(last, lost_of(last) + 1);
-    slots.release();
+    slots.unreserve();
     const Index lost = new_count(slots, 1);
     last.next = lost;
     queue.tail = lost;
@@ -86,7 +86,7 @@ class Queues {
     const Index head = queue.head;
     if (is_count(queue) || slots[head].end.mate == no_slot) return pop_lost(slots, queue);
     queue.head = slots[head].linked.next;
-    if (queue.head == no_slot) slots.release();
+    if (queue.head == no_slot) slots.unreserve();
     return head;
   }
 

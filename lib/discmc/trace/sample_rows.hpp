@@ -34,7 +34,7 @@ class SampleRows {
   void repeat(Sample first);
 
   uint32_t column() const { return column_; }
-  bool row_is_complete() const { return column_ == width_; }
+  bool is_row_complete() const { return column_ == width_; }
   /// Begins the next row, and after the last row of a slice the next slice.
   void next_row();
 

@@ -7,7 +7,7 @@ namespace {
 constexpr SectorTable derived = derive::sector_table();
 
 // Whether chains use every queue, from one end of the link or the other.
-constexpr bool queues_are_all_used() {
+constexpr bool are_all_queues_used() {
   bool is_used[queue_count] = {};
   for (const AxisTable& axis : derived.axis)
     for (const auto& of_quadrant : axis.way)
@@ -17,11 +17,11 @@ constexpr bool queues_are_all_used() {
   return true;
 }
 
-static_assert(queues_are_all_used(),
+static_assert(are_all_queues_used(),
               "18 kinds of links on faces both ways, and 108 ways by a centroid");
 
 // Whether the fields of a word of counts have room for four cells around a vertex.
-constexpr bool parts_have_room() {
+constexpr bool has_room_for_parts() {
   for (const uint32_t part : derived.part) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
     if (quadrants * (part & ((1U << facet) - 1)) >> facet != 0 ||
@@ -31,7 +31,7 @@ constexpr bool parts_have_room() {
   }
   return true;
 }
-static_assert(parts_have_room(), "the parts of four cells fit into a word");
+static_assert(has_room_for_parts(), "the parts of four cells fit into a word");
 
 }  // namespace
 

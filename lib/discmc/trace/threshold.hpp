@@ -95,7 +95,7 @@ class Threshold {
   static constexpr uint32_t block = 8 * lanes;
   /// Whether a block is certainly off. Blocks with samples of many values near the threshold are
   /// not recognised. Limit: reads_words(samples).
-  bool block_is_off(const Sample* samples) const {
+  bool is_block_off(const Sample* samples) const {
     uint32_t most = word_at(samples);
     DISCMC_UNROLL(8)
     for (uint32_t word = 1; word < 8; ++word) most |= word_at(samples + word * lanes);  // a bound
@@ -106,7 +106,7 @@ class Threshold {
   uint32_t leading_off(const Sample* samples, uint32_t count) const {
     const Sample* at = samples;
     for (; count >= block; count -= block, at += block)
-      if (!block_is_off(at)) break;
+      if (!is_block_off(at)) break;
     return static_cast<uint32_t>(at - samples);
   }
 

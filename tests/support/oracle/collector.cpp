@@ -62,7 +62,7 @@ void split(const Ring& ring, std::vector<Ring>& rings) {
 }  // namespace
 
 SinkResult Collector::accept(const Event& event) {
-  require(place_ != Place::over, "an event after finish");
+  require(state_ != State::over, "an event after finish");
   switch (event.kind) {
     case Event::Kind::start:
       break;
@@ -102,15 +102,15 @@ SinkResult Collector::accept(const Event& event) {
 }
 
 void Collector::begin_region(const Event& event) {
-  require(place_ == Place::between, "a region begins inside something else");
+  require(state_ == State::between, "a region begins inside something else");
   require(is_incidence(event.incidence), "a region without incidence");
   region_ = {event.incidence, {}};
-  place_ = Place::region;
+  state_ = State::region;
 }
 
 void Collector::begin_ring(const Event& event) {
-  require(place_ == Place::region || place_ == Place::ring, "a ring outside a region");
-  if (place_ == Place::ring) end_ring();
+  require(state_ == State::region || state_ == State::ring, "a ring outside a region");
+  if (state_ == State::ring) end_ring();
   require(event.is_hole == !region_.rings.empty(), "the outer ring is not the first, or not alone");
   require((event.start.x + event.start.y + event.start.z) % 2 != 0,
           "a ring starts off the lattice");
@@ -121,11 +121,11 @@ void Collector::begin_ring(const Event& event) {
   hole_ = event.is_hole;
   runs_.clear();
   last_run_ = Run();
-  place_ = Place::ring;
+  state_ = State::ring;
 }
 
 void Collector::add_run(const Run& run) {
-  require(place_ == Place::ring || place_ == Place::fragment, "a run outside a ring or fragment");
+  require(state_ == State::ring || state_ == State::fragment, "a run outside a ring or fragment");
   require(!run.is_empty(), "an empty run");
   require(run.length() > 0, "a run of no links");
   require(run.direction() < direction_count(region_.incidence),
@@ -147,7 +147,7 @@ void Collector::end_ring() {
 }
 
 void Collector::end_region() {
-  require(place_ == Place::ring, "a region ends without a ring");
+  require(state_ == State::ring, "a region ends without a ring");
   end_ring();
   const int64_t z = top(region_);
   const int64_t last = int64_t{slice()} - 1;  // of the layer mark
@@ -155,11 +155,11 @@ void Collector::end_region() {
   require(z <= 2 * (last + 1), "a region beyond the slices seen");
   rings_ += region_.rings.size();
   regions_.push_back(std::move(region_));
-  place_ = Place::between;
+  state_ = State::between;
 }
 
 void Collector::begin_fragment(const Event& event) {
-  require(place_ == Place::between, "a fragment begins inside something else");
+  require(state_ == State::between, "a fragment begins inside something else");
   require(is_incidence(event.incidence), "a fragment without incidence");
   require((event.start.x + event.start.y + event.start.z) % 2 != 0,
           "a fragment starts off the lattice");
@@ -170,18 +170,18 @@ void Collector::begin_fragment(const Event& event) {
   came_ = event.incoming_direction;
   runs_.clear();
   last_run_ = Run();
-  place_ = Place::fragment;
+  state_ = State::fragment;
 }
 
 void Collector::end_fragment() {
-  require(place_ == Place::fragment, "a fragment ends that never began");
+  require(state_ == State::fragment, "a fragment ends that never began");
   require(!runs_.empty(), "a fragment without runs");
   loose_.push_back({region_.incidence, start_, came_, runs_});
-  place_ = Place::between;
+  state_ = State::between;
 }
 
 void Collector::add_skipped(const Event& event) {
-  require(place_ == Place::between, "a skipped row inside something else");
+  require(state_ == State::between, "a skipped row inside something else");
   require(event.slice == slice(), "a skipped row of another slice");
   require(
       skipped_.empty() || skipped_.back().slice < event.slice || skipped_.back().row < event.row,
@@ -190,13 +190,13 @@ void Collector::add_skipped(const Event& event) {
 }
 
 void Collector::add_layer(const Event& event) {
-  require(place_ == Place::between, "a layer mark inside something else");
+  require(state_ == State::between, "a layer mark inside something else");
   require(event.slice == slice(), "a layer mark out of order");
   layers_.push_back({event.slice, regions_.size()});
 }
 
 void Collector::finish(const Event& event) {
-  require(place_ == Place::between, "finish inside something else");
+  require(state_ == State::between, "finish inside something else");
   require(event.slice == own_slices(), "finish counts other slices than were marked");
   require(event.statistics != nullptr, "finish without statistics");
   statistics_ = *event.statistics;
@@ -206,7 +206,7 @@ void Collector::finish(const Event& event) {
   require(statistics_.links == links_, "statistics count other links");
   require(statistics_.fragments == loose_.size(), "statistics count other fragments");
   require(statistics_.skipped_rows == skipped_.size(), "statistics count other skipped rows");
-  place_ = Place::over;
+  state_ = State::over;
 }
 
 Ring vertices_of(Incidence incidence, Vertex vertex, const std::vector<Run>& runs) {

@@ -52,7 +52,7 @@ class Collector {
   const std::vector<Region>& regions() const { return regions_; }
   const std::vector<LayerMark>& layers() const { return layers_; }
   const std::vector<SkippedRow>& skipped() const { return skipped_; }
-  bool is_finished() const { return place_ == Place::over; }
+  bool is_finished() const { return state_ == State::over; }
   bool was_abandoned() const { return was_abandoned_; }
   /// Returns the statistics of the finish event. Limit: is_finished().
   const Statistics& statistics() const { return statistics_; }
@@ -62,7 +62,7 @@ class Collector {
   uint64_t split_sides() const { return split_sides_; }
 
  private:
-  enum class Place : uint8_t { between, region, ring, fragment, over };
+  enum class State : uint8_t { between, region, ring, fragment, over };
 
   void begin_region(const Event& event);
   void begin_ring(const Event& event);
@@ -84,7 +84,7 @@ class Collector {
     return marked > context ? marked - context : 0;
   }
 
-  Place place_ = Place::between;
+  State state_ = State::between;
   Slab slab_;
   Region region_{};
   int32_t plane_ = 0;

@@ -30,17 +30,17 @@ inline uint64_t middle_of_octave(uint64_t distance) {
 /// lower one; 0 if it does not cross. The isovalue is threshold - 1/2.
 inline uint32_t fraction_between(int64_t lower, int64_t upper, int64_t threshold, uint32_t levels,
                                  bool is_lower_rounded) {
-  const bool upper_is_on = upper >= threshold;
-  if ((lower >= threshold) == upper_is_on) return 0;
+  const bool is_upper_on = upper >= threshold;
+  if ((lower >= threshold) == is_upper_on) return 0;
   const auto distance = [threshold](int64_t sample) {
     return static_cast<uint64_t>(std::llabs(2 * sample - (2 * threshold - 1)));
   };
   const uint64_t of_lower = is_lower_rounded ? middle_of_octave(distance(lower)) : distance(lower);
   const uint64_t of_upper = distance(upper);
-  const uint64_t of_off = upper_is_on ? of_lower : of_upper;
+  const uint64_t of_off = is_upper_on ? of_lower : of_upper;
   const auto level = static_cast<uint32_t>(levels * of_off / (of_lower + of_upper));
   const uint32_t eighths = (2 * level + 1) * 4 / levels;
-  return upper_is_on ? eighths : 8 - eighths;
+  return is_upper_on ? eighths : 8 - eighths;
 }
 
 /// Returns the entries of a row.

@@ -32,10 +32,11 @@ Vertex along(int axis, int a, int u, int v) {
 }
 
 // The position of a line of the ring, relative to the middle line. Units: voxels.
-struct Place {
+struct LineOffset {
   int u, v;
 };
-constexpr Place ring[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+constexpr LineOffset ring[] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                               {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
 
 // ---- the order of visits ----
 
@@ -73,14 +74,14 @@ CellEdge edge_at(const Vertex& midpoint) {
 struct Quadrant {
   int axis, number;
 
-  const Place& line(int i) const { return ring[(2 * number + i) % 8]; }
+  const LineOffset& line(int i) const { return ring[(2 * number + i) % 8]; }
   int min_u() const { return std::min({0, line(0).u, line(1).u, line(2).u}); }
   int min_v() const { return std::min({0, line(0).v, line(1).v, line(2).v}); }
   Vertex vertex() const { return along(axis, 1, -2 * min_u(), -2 * min_v()); }
 
   Configuration configuration(int lower_is_on, int lines) const {
     unsigned bits = 0;
-    const auto add = [&](const Place& place, int on) {
+    const auto add = [&](const LineOffset& place, int on) {
       for (int end = 0; end < 2; ++end) {
         const Vertex corner = along(axis, end, place.u - min_u(), place.v - min_v());
         if ((on >> end & 1) != 0) bits |= 1U << (corner.x + 2 * corner.y + 4 * corner.z);
@@ -171,8 +172,8 @@ const Looks& looks_of(int axis, int quadrant) {
 // quadrant's cell.
 CellEdge edge_in(const Quadrant& quadrant, CellEdge named) {
   const Vertex at = edges().at(named);
-  const Place& u = quadrant.line(0);  // image of the first axis after x
-  const Place& v = quadrant.line(2);  // image of the second axis
+  const LineOffset& u = quadrant.line(0);  // image of the first axis after x
+  const LineOffset& v = quadrant.line(2);  // image of the second axis
   const int at_u = at.y * u.u + at.z * v.u, at_v = at.y * u.v + at.z * v.v;
   return edge_at(
       along(quadrant.axis, at.x, at_u - 2 * quadrant.min_u(), at_v - 2 * quadrant.min_v()));
@@ -211,7 +212,8 @@ bool points_where_headings_lie(const SectorTable& table) {
   for (int axis = 0; axis < axes; ++axis)
     for (int lower = 0; lower < 2; ++lower)
       for (int heading = 0; heading <= detail::trace::no_heading; ++heading) {
-        const Place place = heading == detail::trace::no_heading ? Place{0, 0} : ring[heading];
+        const LineOffset place =
+            heading == detail::trace::no_heading ? LineOffset{0, 0} : ring[heading];
         const Vertex n = along(axis, lower != 0 ? 1 : -1, place.u, place.v);
         if (table.incidence_at(axis, lower, heading) != incidence_of(n)) return false;
       }
@@ -220,7 +222,7 @@ bool points_where_headings_lie(const SectorTable& table) {
 
 // Returns the vector of a ray along its way.
 Vertex ray_vector(int axis, int quadrant, int way) {
-  const Place across = ring[2 * quadrant];
+  const LineOffset across = ring[2 * quadrant];
   return way == detail::trace::straight_way
              ? along(axis, 0, 2 * across.u, 2 * across.v)
              : along(axis, way == detail::trace::downward_way ? -1 : 1, across.u, across.v);

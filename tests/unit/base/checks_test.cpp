@@ -166,10 +166,10 @@ TEST_CASE("misuse of a pool aborts, such as releasing a slot twice or reading a 
   CHECK(is_fatal([&] { pool[6].payload = 1; }));
   CHECK(is_fatal([&] { pool[no_slot].payload = 1; }));
   CHECK(is_fatal([&] { pool.reserve(5); }));
-  CHECK(is_fatal([&] { pool.release(5); }));
+  CHECK(is_fatal([&] { pool.unreserve(5); }));
   CHECK(!is_fatal([&] {
     pool.reserve(4);
-    pool.release(4);
+    pool.unreserve(4);
     pool.give(1);
     pool[5].payload = 1;
   }));

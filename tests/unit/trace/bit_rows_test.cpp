@@ -51,7 +51,7 @@ void check_row(const uint32_t* row, uint32_t width, IsOn is_on) {
 // The same for the first row of all, which must be complete.
 template <class IsOn>
 void check_first_row(const Rows& rows, uint32_t width, IsOn is_on) {
-  CHECK(rows.row_is_complete());
+  CHECK(rows.is_row_complete());
   check_row(rows.memory.data(), width, is_on);
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("the rows around every row are those of the volume, with the border") 
             rows.append(&volume.on[volume.index(0, y, z)], width, 1, 1);
           else
             rows.fill_off();
-          CHECK(rows.row_is_complete());
+          CHECK(rows.is_row_complete());
           rows.next_row();
           // No samples: the oldest row, whose place the next one takes, is still in use.
           if (y + 1 < height) rows.append(volume.on.data(), 0, 1, 1);
@@ -207,10 +207,10 @@ TEST_CASE(
     rows.append(volume.on.data(), half, 1, 1);
     rows.fill_off();
     std::fill_n(volume.on.begin() + half, width - half, uint8_t{0});
-    CHECK(rows.row_is_complete());
+    CHECK(rows.is_row_complete());
     rows.next_row();
     rows.repeat();
-    CHECK(rows.row_is_complete());
+    CHECK(rows.is_row_complete());
     rows.next_row();
     std::copy_n(volume.on.begin(), width, volume.on.begin() + width);
     check_newest(rows, volume, 2, 0);

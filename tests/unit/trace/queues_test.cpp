@@ -44,7 +44,7 @@ class Ends {
     while (count < most && queues_.pop(pool_, number) == no_slot) ++count;
     return count;
   }
-  bool last_is_lost() const { return queues_.last_is_lost(pool_, number); }
+  bool is_last_lost() const { return queues_.is_last_lost(pool_, number); }
   uint32_t in_use() const { return pool_.in_use(); }
 
  private:
@@ -61,14 +61,14 @@ TEST_CASE_TEMPLATE("lost ends keep their places among other ends", Index, uint16
   for (const uint32_t many : {1U, 2U, 0xFFFFU, 0x10000U, 0x30001U}) {
     CAPTURE(many);
     Ends<Index> ends;
-    CHECK_FALSE(ends.last_is_lost());
+    CHECK_FALSE(ends.is_last_lost());
     ends.lose(many);
-    CHECK(ends.last_is_lost());
+    CHECK(ends.is_last_lost());
     const Index first = ends.push();
-    CHECK_FALSE(ends.last_is_lost());
+    CHECK_FALSE(ends.is_last_lost());
     const Index second = ends.push();
     ends.lose(many);
-    CHECK(ends.last_is_lost());
+    CHECK(ends.is_last_lost());
     const Index third = ends.push();
     CHECK(ends.pop_lost(many) == many);
     CHECK(ends.pop() == first);

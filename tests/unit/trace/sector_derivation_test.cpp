@@ -18,7 +18,7 @@ TEST_CASE("the sector table derived at run time is right") {
   SectorTable table{};
   table = derive::sector_table();  // as an initialised table, the compiler would derive it
   CHECK(reference::broken(table) == nullptr);
-  CHECK(queues_are_all_used());
+  CHECK(are_all_queues_used());
   CHECK(memcmp(table.cell, sector_table.cell, sizeof table.cell) == 0);
   CHECK(memcmp(table.axis, sector_table.axis, sizeof table.axis) == 0);
   CHECK(memcmp(table.face_way, sector_table.face_way, sizeof table.face_way) == 0);
