@@ -95,7 +95,7 @@ void DecimationStep::collapse_queued() {
     Entry entry = heap_.back();
     heap_.pop_back();
     if (!is_current(entry)) continue;
-    const std::optional<EdgePlacing::Place> place = placing_.place(entry.low, entry.high);
+    const std::optional<EdgePlacing::PlacedVertex> place = placing_.place(entry.low, entry.high);
     if (place && place->cost > entry.cost * rounding) {
       entry.cost = place->cost;
       heap_.push_back(entry);

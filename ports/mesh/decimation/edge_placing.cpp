@@ -85,7 +85,8 @@ void EdgePlacing::add_border(std::uint32_t vertex, Sums& sums) const {
   });
 }
 
-std::optional<EdgePlacing::Place> EdgePlacing::place(std::uint32_t a, std::uint32_t b) const {
+std::optional<EdgePlacing::PlacedVertex> EdgePlacing::place(std::uint32_t a,
+                                                            std::uint32_t b) const {
   const Point middle = plus(mesh_.point(a), difference(mesh_.point(b), mesh_.point(a)), 0.5);
   const Point to_a = difference(mesh_.point(a), middle), to_b = difference(mesh_.point(b), middle);
   const double squared_length = 4 * dot(to_a, to_a);
@@ -121,8 +122,8 @@ std::optional<EdgePlacing::Place> EdgePlacing::place(std::uint32_t a, std::uint3
     if (!(dot(x, x) <= max_move * max_move * squared_length)) return std::nullopt;
   }
   const Point to = rounded(plus(middle, x));
-  return Place{to, error(difference(to, middle)) + shape * squared_length * squared_length +
-                       in_plane * squared_length * area};
+  return PlacedVertex{to, error(difference(to, middle)) + shape * squared_length * squared_length +
+                              in_plane * squared_length * area};
 }
 
 }  // namespace discmc::meshing

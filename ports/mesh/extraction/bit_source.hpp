@@ -1,4 +1,4 @@
-// The bits of a volume, row by row, as extractors take them.
+// Makes the bits of a volume, row by row, for extractors.
 #ifndef DISCMC_MESH_EXTRACTION_BIT_SOURCE_HPP
 #define DISCMC_MESH_EXTRACTION_BIT_SOURCE_HPP
 
@@ -17,11 +17,11 @@
 
 namespace discmc::meshing {
 
-/// Rows of bits from samples: those of all surfaces side by side, as SurfaceGroup and SliceEncoder
-/// take them.
+/// Makes rows of bits from samples, with adjacent rows for all surfaces, as SurfaceGroup and
+/// SliceEncoder expect them.
 class BitSource {
  public:
-  /// limits: with the slab that the spans are of.
+  /// limits: with the slab of the spans.
   BitSource(const SampleGrid& info, const Limits& limits, const SlabSpans& spans,
             bool takes_majority, const std::vector<SurfaceRequest>& surfaces)
       : spans_(spans),
@@ -41,8 +41,8 @@ class BitSource {
     }
   }
 
-  /// Takes the next slice of those that are read, and calls for every row that is given and due
-  /// after it. mask: the rows of its mask, if it has one.
+  /// Processes the next slice to read, and calls `call` for every given row that is due afterwards.
+  /// mask: the rows of its mask, if there is one.
   template <class Call>
   void add_slice(const void* samples, const std::uint8_t* mask, Call call) {
     if (mask != nullptr) mask_.insert(mask_.end(), mask, mask + row_bytes_ * height_);
@@ -54,14 +54,14 @@ class BitSource {
     ++slice_;
     for (std::uint32_t y = 0; y < height_; ++y) add_row(bits_.data() + y * stride, call);
   }
-  /// Calls for the rows that are left.
+  /// Calls `call` for the remaining rows.
   template <class Call>
   void finish(Call call) {
     while (filter_next([](OwnFilter& own, std::size_t) { return own.filter.drain(); }))
       pass_on(filtered_.data(), call);
   }
 
-  /// The rows of its own slices.
+  /// Counts NaN in rows of its own slices.
   std::uint64_t not_numbers() const { return not_numbers_; }
   bool is_full(std::size_t surface) const { return is_full_[surface]; }
 
@@ -73,8 +73,8 @@ class BitSource {
             [&](OwnFilter& own, std::size_t i) { return own.filter.push(row + i * row_bytes_); }))
       pass_on(filtered_.data(), call);
   }
-  // Gives the filters, which are all where the first one is, what is next. Returns whether each has
-  // a row.
+  // Passes the next row to the filters, which all are at one position. Returns whether each filter
+  // has a row.
   template <class Next>
   bool filter_next(Next next) {
     bool has_row = false;
@@ -94,7 +94,7 @@ class BitSource {
           is_full_[i] && std::equal(full_row_.begin(), full_row_.end(), row + i * row_bytes_);
     call(row);
   }
-  // The mask comes after the filters, which would turn voxels beside its edge on again.
+  // Applies the mask after the filters, which would turn on voxels beside its edge again.
   void apply_mask(std::uint8_t* row) {
     const auto end = mask_.begin() + static_cast<std::ptrdiff_t>(row_bytes_);
     for (std::size_t i = 0; i < is_full_.size(); ++i)
@@ -103,15 +103,15 @@ class BitSource {
   }
 
   SlabSpans spans_;
-  std::uint32_t slice_;  // the next one
-  std::uint64_t row_;    // the next one to be passed on
+  std::uint32_t slice_;  // next slice
+  std::uint64_t row_;    // next row to pass on
   std::uint32_t height_;
   std::size_t row_bytes_;
-  std::vector<std::uint8_t> bits_;      // of a slice
-  std::vector<std::uint8_t> filtered_;  // a row
+  std::vector<std::uint8_t> bits_;      // of the current slice
+  std::vector<std::uint8_t> filtered_;  // one row
   std::vector<std::uint8_t> full_row_;
-  std::vector<bool> is_full_;      // so far, of each surface
-  std::deque<std::uint8_t> mask_;  // rows of the mask that are not yet due
+  std::vector<bool> is_full_;      // so far, per surface
+  std::deque<std::uint8_t> mask_;  // rows of the mask that are not due yet
   std::vector<SliceSelector> selectors_;
   std::vector<std::unique_ptr<OwnFilter>> filters_;
   std::uint64_t not_numbers_ = 0;

@@ -13,7 +13,8 @@
 namespace discmc::meshing {
 namespace {
 
-// The loop of each configuration that is a fan about the centroid; no points if there is none.
+// Returns the loop of each configuration that is a fan about the centroid; without points if there
+// is none.
 std::array<Loop, configurations> fan_loops() {
   const auto axis_of = [](CellPoint point) {
     const Vertex at = position(point);
@@ -42,7 +43,7 @@ Vertex corner_at(const Vertex& centroid, unsigned corner) {
 
 }  // namespace
 
-// Finds the crossings of one axis after another.
+// Finds the crossings, one axis after another.
 class Crossings::OfPolygons {
  public:
   OfPolygons(Crossings& crossings, const Polygons& polygons)
@@ -58,13 +59,13 @@ class Crossings::OfPolygons {
   }
 
  private:
-  struct Found {
+  struct RowCrossing {
     std::uint64_t row;
     Crossing crossing;
-    bool operator<(const Found& other) const {
+    bool operator<(const RowCrossing& other) const {
       return row != other.row ? row < other.row : crossing.x < other.crossing.x;
     }
-    bool operator==(const Found& other) const {
+    bool operator==(const RowCrossing& other) const {
       return row == other.row && crossing.x == other.crossing.x;
     }
   };
@@ -89,7 +90,7 @@ class Crossings::OfPolygons {
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     rows.crossings.clear();
     rows.begin.clear();
-    for (const Found& found : found_) {
+    for (const RowCrossing& found : found_) {
       rows.begin.resize(found.row + 1, rows.crossings.size());
       rows.crossings.push_back(found.crossing);
     }
@@ -97,7 +98,7 @@ class Crossings::OfPolygons {
                       rows.crossings.size());
   }
 
-  // At the rim of an open surface, an edge through a side may not count as crossing the polygon.
+  // An edge through a side, at the rim of an open surface, may not count as crossing the polygon.
   void add_rims(std::size_t axis) {
     const std::size_t count = found_.size();
     for (const Polygon& polygon : polygons_)
@@ -114,12 +115,13 @@ class Crossings::OfPolygons {
 
   Crossings& crossings_;
   const Polygons& polygons_;
-  std::vector<Found> found_;
+  std::vector<RowCrossing> found_;
 };
 
 Crossings::Crossings(const std::array<std::uint32_t, 3>& dims, const Polygons& polygons)
     : dims_{0, 0, 0}, first_{0, 0, 0} {
-  // The part of the volume that the polygons span; else a small surface would need all rows.
+  // Limits the search to the part of the volume that the polygons span; otherwise a small surface
+  // would need all rows.
   std::array<std::int64_t, 3> low{}, high{-1, -1, -1};
   for (const Polygon& polygon : polygons)
     for (const Vertex& corner : polygon.rings[0]) {
@@ -178,28 +180,28 @@ std::optional<Crossings::Place> Crossings::find(const Vertex& middle) const {
                static_cast<std::uint32_t>(crossing - along_[axis].crossings.data())};
 }
 
-// Goes from a corner inside the volume to the others, across the edges between them.
+// Starts at a corner inside the volume and reaches the others across the edges between them.
 Configuration Crossings::configuration_around(const Vertex& centroid) const {
   unsigned base = 0;
   while (!is_inside(corner_at(centroid, base))) ++base;
   unsigned differ = 0;      // from the base
-  bool base_is_on = false;  // where none differs there is nothing to interpolate
+  bool is_base_on = false;  // irrelevant if no corner differs
   for (unsigned away = 1; away < 8; ++away) {
     const unsigned corner = base ^ away, before = base ^ (away & (away - 1));
     const Vertex to = corner_at(centroid, corner);
     if (!is_inside(to)) continue;
     const Vertex from = corner_at(centroid, before);
     const Crossing* const crossing = crossing_of(from + to);
-    const unsigned before_differs = differ >> before & 1;
-    differ |= (before_differs ^ (crossing != nullptr ? 1U : 0U)) << corner;
+    const unsigned differs_before = differ >> before & 1;
+    differ |= (differs_before ^ (crossing != nullptr ? 1U : 0U)) << corner;
     if (crossing == nullptr) continue;
-    const bool from_is_first = from.x + from.y + from.z < to.x + to.y + to.z;
-    const bool from_is_on = crossing->falls == from_is_first;
-    base_is_on = from_is_on != (before_differs != 0);
+    const bool is_from_first = from.x + from.y + from.z < to.x + to.y + to.z;
+    const bool is_from_on = crossing->falls == is_from_first;
+    is_base_on = is_from_on != (differs_before != 0);
   }
   unsigned configuration = 0;
   for (unsigned corner = 0; corner < 8; ++corner)
-    if (is_inside(corner_at(centroid, corner)) && ((differ >> corner & 1) == 0) == base_is_on)
+    if (is_inside(corner_at(centroid, corner)) && ((differ >> corner & 1) == 0) == is_base_on)
       configuration |= 1U << corner;
   return static_cast<Configuration>(configuration);
 }
@@ -240,10 +242,10 @@ Point Crossings::in_volume(const Vertex& vertex) const {
   return mean;
 }
 
-// The bits that are on and the samples, of one slice after the other.
+// The bits that are on and the samples, slice by slice.
 class CrossingFinder::Slices {
  public:
-  // Slices are numbered in the order in which they come.
+  // Slices are numbered in the order of arrival.
   Slices(const SampleGrid& info, const Vertex& first)
       : crossings_({info.dims[0], info.dims[1], 0}, first) {}
   Slices(const Slices&) = delete;
@@ -350,7 +352,7 @@ class CrossingFinder::SlicesOf final : public Slices {
   }
 
   float crossing(Sample on_sample, Sample off_sample) const {
-    if (range_.holds(off_sample)) return 1;  // off by the mask
+    if (range_.holds(off_sample)) return 1;  // off because of the mask
     const auto on = static_cast<double>(on_sample), off = static_cast<double>(off_sample);
     const double level = off_sample < range_.low ? low_level_ : high_level_;
     const double at = 2 * (on - level) / (on - off);
@@ -365,7 +367,7 @@ class CrossingFinder::SlicesOf final : public Slices {
   SampleRange<Sample> range_;
   double low_level_, high_level_;
   Slice below_, above_;
-  std::vector<std::uint8_t> changes_;  // along the row under way
+  std::vector<std::uint8_t> changes_;  // along the current row
 };
 
 CrossingFinder::CrossingFinder(const SampleGrid& info, const Selection& selection,

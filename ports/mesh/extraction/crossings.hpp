@@ -1,4 +1,4 @@
-// The crossings of the surface with the edges of the lattice, interpolated between the samples.
+// The crossings of the surface with the lattice edges, interpolated between samples.
 #ifndef DISCMC_MESH_EXTRACTION_CROSSINGS_HPP
 #define DISCMC_MESH_EXTRACTION_CROSSINGS_HPP
 
@@ -23,45 +23,46 @@ constexpr bool is_middle(const Vertex& vertex) {
   return (vertex.x & 1) + (vertex.y & 1) + (vertex.z & 1) == 1;
 }
 
-/// The crossings of a volume. Memory: eight bytes for each, and for each row of an axis; eight more
-/// for each with ends.
+/// The crossings of a volume. Memory: eight bytes per crossing, and per row of an axis; eight more
+/// per crossing with ends.
 class Crossings {
  public:
-  /// The samples of both voxels of an edge, less the level.
+  /// The samples of both voxels of an edge, minus the level.
   struct Ends {
     float begin, end;
   };
-  /// A crossing, by its axis and its place in the order of the edges.
+  /// Identifies a crossing by its axis and its index in the order of the edges.
   struct Place {
     std::uint8_t axis;
     std::uint32_t number;
   };
-  /// How near a crossing comes to a voxel. So two of them never meet there. Units: half-steps.
+  /// The least distance of a crossing from a voxel, which keeps two crossings apart. Units:
+  /// half-steps.
   static constexpr double margin = 1.0 / 64;
 
-  /// first: where the volume begins in the coordinates of the vertices; Units: half-steps.
+  /// first: the origin of the volume in the vertices' coordinates; Units: half-steps.
   Crossings(const std::array<std::uint32_t, 3>& dims, const Vertex& first)
       : dims_(dims), first_(first) {}
-  /// Finds the crossings of polygons, in the middles of edges; none on edges that end outside the
-  /// volume. Throws std::length_error if the polygons span more rows of voxels than 2^26, or cross
-  /// more edges than 2^27.
+  /// Finds the crossings of polygons, at the middles of edges; none on edges that end outside the
+  /// volume. Throws std::length_error if the polygons span more than 2^26 rows of voxels, or cross
+  /// more than 2^27 edges.
   Crossings(const std::array<std::uint32_t, 3>& dims, const Polygons& polygons);
 
-  /// The point of the interpolated surface that replaces a vertex of the merged one. The crossing
-  /// of an edge replaces its middle, the mean of the crossings around it a centroid. If a voxel is
-  /// outside the volume or its mask, or a sample is not finite, the crossing is in the middle.
-  /// Units: half-steps.
+  /// Returns the point of the interpolated surface that replaces a vertex of the merged one. The
+  /// crossing of an edge replaces its middle; the mean of the crossings around a centroid replaces
+  /// the centroid. A crossing is in the middle if a voxel is outside the volume or its mask, or if
+  /// a sample is not finite. Units: half-steps.
   Point interpolated(const Vertex& vertex) const;
-  /// The same of the middle of an edge along an axis. at: as at() of its crossing.
+  /// Likewise for the middle of an edge along an axis. at: from at() of its crossing.
   static Point interpolated(const Vertex& middle, std::size_t axis, float at) {
     const double moved = static_cast<double>(at) - 1;
     return {middle.x + (axis == 0 ? moved : 0), middle.y + (axis == 1 ? moved : 0),
             middle.z + (axis == 2 ? moved : 0)};
   }
 
-  /// The crossing at the middle of an edge, if there is one. Limit: is_middle().
+  /// Returns the crossing at the middle of an edge, if there is one. Limit: is_middle().
   std::optional<Place> find(const Vertex& middle) const;
-  /// Calls with the crossing at the middle of an edge, or with those of the edges around a
+  /// Calls `call` with the crossing at the middle of an edge, or with the crossings around a
   /// centroid.
   template <class Call>
   void for_each_near(const Vertex& vertex, Call call) const {
@@ -78,11 +79,11 @@ class Crossings {
           call_if_found({at[0], at[1], at[2]});
         }
   }
-  /// How many crossings there are along an axis.
+  /// Returns the number of crossings along an axis.
   std::size_t count(std::size_t axis) const { return along_[axis].crossings.size(); }
-  /// Whether the edge begins on, and ends off.
+  /// Whether the edge begins on and ends off.
   bool falls(Place place) const { return along_[place.axis].crossings[place.number].falls; }
-  /// Calls with each crossing, and with the middle of its edge.
+  /// Calls `call` with each crossing, and with the middle of its edge.
   template <class Call>
   void for_each(Call call) const {
     for (std::uint8_t axis = 0; axis < 3; ++axis) {
@@ -93,40 +94,41 @@ class Crossings {
                middle_of(axis, row, rows.crossings[i].x));
     }
   }
-  /// The place of the crossing, from the voxel where its edge begins. Units: half-steps.
+  /// Returns the position of the crossing from the voxel at which its edge begins. Units:
+  /// half-steps.
   float at(Place place) const { return along_[place.axis].crossings[place.number].at; }
-  /// How many intervals the edge has. The crossing is known to be in one, placed in its middle.
+  /// Returns the number of intervals of the edge. The crossing is in the middle of its interval.
   std::uint8_t intervals(Place place) const {
     return along_[place.axis].crossings[place.number].intervals;
   }
-  /// Limit: from the margin to 2 less the margin.
+  /// Limit: from `margin` to 2 - `margin`.
   void move(Place place, float at) { along_[place.axis].crossings[place.number].at = at; }
   void move(Place place, float at, std::uint8_t intervals) {
     along_[place.axis].crossings[place.number].intervals = intervals;
     move(place, at);
   }
 
-  /// Limit: of a finder that keeps the ends.
+  /// Limit: the finder keeps ends.
   Ends& ends(Place place) { return along_[place.axis].ends[place.number]; }
-  /// The crossing, as at(), at which the line between two ends meets zero. Limit: their signs
+  /// Returns the crossing, as at(), of the line between two ends with zero. Limit: their signs
   /// differ.
   static float zero_between(Ends ends) { return 2 * (ends.begin / (ends.begin - ends.end)); }
 
  private:
   friend class CrossingFinder;
 
-  // On the edge that begins at voxel x of its row.
+  // A crossing on the edge that begins at voxel x of its row.
   struct Crossing {
     std::uint16_t x;
-    bool falls;  // begins on, and ends off
+    bool falls;  // whether the edge begins on and ends off
     std::uint8_t intervals;
     float at;  // from the voxel; Units: half-steps
   };
-  // Row i, of all slices, has crossings[begin[i]] to crossings[begin[i + 1]].
+  // Row i, counted over all slices, has crossings[begin[i]] to crossings[begin[i + 1]].
   struct Rows {
     std::vector<std::size_t> begin{0};
     std::vector<Crossing> crossings;
-    std::vector<Ends> ends{};  // as many, or none
+    std::vector<Ends> ends{};  // one per crossing, or empty
   };
 
   class OfPolygons;
@@ -143,22 +145,22 @@ class Crossings {
   std::array<Rows, 3> along_;
 };
 
-/// Finds the crossings, slice by slice. Holds one slice.
+/// Finds the crossings slice by slice. Memory: one slice.
 class CrossingFinder {
  public:
-  /// first: as Crossings. keeps_ends: for Crossings::ends().
+  /// first: as for Crossings. keeps_ends: for Crossings::ends().
   CrossingFinder(const SampleGrid& info, const Selection& selection,
                  const Vertex& first = {0, 0, 0}, bool keeps_ends = false);
   CrossingFinder(CrossingFinder&&) noexcept;
   CrossingFinder& operator=(CrossingFinder&&) noexcept;
   ~CrossingFinder();
 
-  /// Takes the next slice, as SliceReader::read_slice() gives it. mask: rows of bits, if there are
-  /// any: what is off there is off. Beside it the crossing is in the middle, where the samples
-  /// cross nothing.
+  /// Adds the next slice from SliceReader::read_slice(). mask: rows of bits, or null; voxels that
+  /// are off there are off. Beside the mask, crossings are in the middle, because the samples cross
+  /// nothing.
   void add_slice(const void* samples, const std::uint8_t* mask = nullptr);
 
-  /// The crossings, after the last slice. Owner: the finder.
+  /// Returns the crossings, after the last slice. Owner: the finder.
   const Crossings& crossings() const;
   Crossings& crossings();
 

@@ -37,7 +37,8 @@ void EncodedPart::accept_region(const WholeRegion& region) {
   send_events(region, [this](const Event& event) { return accept(event) == SinkResult::accepted; });
 }
 
-// An encoder offers a frame at a time. The encoder of the whole volume sends the headers.
+// Keeps frames, which an encoder offers one at a time. The encoder of the whole volume sends the
+// headers.
 std::size_t EncodedPart::keep(const std::uint8_t* frame, std::size_t bytes) {
   std::uint8_t plain[detail::wire::max_frame];
   std::copy_n(frame, bytes, plain);

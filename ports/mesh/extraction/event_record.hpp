@@ -1,4 +1,4 @@
-// The events of a scan, kept to be sent later.
+// Records the events of a scan, to send them later.
 #ifndef DISCMC_MESH_EXTRACTION_EVENT_RECORD_HPP
 #define DISCMC_MESH_EXTRACTION_EVENT_RECORD_HPP
 
@@ -9,11 +9,11 @@
 
 namespace discmc::meshing {
 
-/// Keeps the events of an extractor except layer marks, which are true only in the order of one
-/// sweep. Limit: a scan at once, without skipped rows.
+/// Keeps the events of an extractor except layer marks, which are valid only in the order of one
+/// sweep. Limit: one scan at a time, without skipped rows.
 class EventRecord {
  public:
-  /// Always takes the event.
+  /// Always accepts the event.
   SinkResult accept(const Event& event);
 
   /// Sends all events. sink: must accept everything at once.

@@ -11,7 +11,7 @@
 namespace discmc::meshing {
 namespace {
 
-// Turns on the bits of a row from begin to before end.
+// Turns on the bits of a row from `begin` to before `end`.
 void set_bits(std::uint8_t* row, std::uint32_t begin, std::uint32_t end) {
   const auto from_bit = [](std::uint32_t x) { return static_cast<std::uint8_t>(0xFFU << (x % 8)); };
   const std::uint32_t last = end - 1;
@@ -62,8 +62,8 @@ void LabelRun::end_slice() {
 
 void LabelRun::extract(const Limits& limits, bool takes_majority, HostScan& scan,
                        JoinedSurface& surface) const {
-  // The surface ends before the faces of the box, but for those in faces of the volume. A filter
-  // may add voxels beside those of the label.
+  // The surface ends before the faces of the box, except those in faces of the volume. A filter may
+  // add voxels beside those of the label.
   const std::uint32_t margin = takes_majority ? 2 : 1;
   std::array<std::uint32_t, 3> low{limits.width, limits.height, first_}, high{};
   for (const Stretch& each : stretches_) {

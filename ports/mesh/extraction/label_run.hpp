@@ -1,4 +1,4 @@
-// The voxels of a label in slices that follow each other.
+// Extracts the voxels of a label from successive slices.
 #ifndef DISCMC_MESH_EXTRACTION_LABEL_RUN_HPP
 #define DISCMC_MESH_EXTRACTION_LABEL_RUN_HPP
 
@@ -13,25 +13,25 @@
 
 namespace discmc::meshing {
 
-/// Collects the voxels of one label from the first slice that has one to the last, then extracts
-/// their surface within their box. So a label costs nothing in slices that lack it, nor beside its
-/// voxels; one that comes back has a further run. Memory: 12 bytes for each row of voxels.
+/// Collects the voxels of one label from its first slice to its last, then extracts their surface
+/// within their box. A label therefore costs nothing in slices without it, nor beside its voxels; a
+/// label that reappears gets a further run. Memory: 12 bytes per row of voxels.
 class LabelRun {
  public:
-  /// first: the number of the first slice with a voxel of the label.
+  /// first: the first slice with a voxel of the label.
   explicit LabelRun(std::uint32_t first) : first_(first), slice_(first) {}
 
-  /// Adds voxels of the slice under way: of row y, from begin to before end.
+  /// Adds voxels of the current slice: of row y, from `begin` to before `end`.
   void add(std::uint32_t y, std::uint32_t begin, std::uint32_t end);
 
-  /// Ends the slice under way.
+  /// Ends the current slice.
   void end_slice();
 
-  /// Whether no later slice can change the surface, filtered or not.
+  /// Whether no later slice can change the surface, with or without a filter.
   bool is_over() const { return slices_without_voxels_ == 2; }
 
   /// Extracts the surface of all voxels. limits: of the volume. takes_majority: whether the bits
-  /// pass a MajorityFilter. scan: may have been used before.
+  /// pass a MajorityFilter. scan: may be reused.
   void extract(const Limits& limits, bool takes_majority, HostScan& scan,
                JoinedSurface& surface) const;
 
@@ -41,8 +41,8 @@ class LabelRun {
     std::uint16_t y, begin, end;
   };
 
-  std::uint32_t first_, slice_;  // slice_: under way
-  bool has_voxels_ = false;      // the slice
+  std::uint32_t first_, slice_;  // slice_: the current one
+  bool has_voxels_ = false;      // of the current slice
   std::uint32_t slices_without_voxels_ = 0;
   std::vector<Stretch> stretches_;
 };

@@ -18,7 +18,7 @@ struct Label {
   LabelValue value;
   std::uint64_t voxels = 0;
   Polygons polygons{};
-  std::optional<LabelRun> run{};  // none in slices that are far from its voxels
+  std::optional<LabelRun> run{};  // empty in slices far from its voxels
 };
 
 // The labels of a volume by their samples.
@@ -67,7 +67,7 @@ class LabelScan {
     scatter_.add(end - begin);
   }
 
-  // Whether the run of the label is over.
+  // Returns whether the run of the label is over.
   bool end_slice(Label& label) {
     label.run->end_slice();
     if (!label.run->is_over()) return false;
@@ -88,7 +88,7 @@ class LabelScan {
     }
   }
 
-  // Null if the voxel is of no surface.
+  // Returns null if the voxel belongs to no surface.
   Label* label_of(Sample sample) {
     if (has_last_ && sample == last_sample_) return last_label_;
     has_last_ = true;
@@ -107,13 +107,13 @@ class LabelScan {
   const SampleGrid& info_;
   const LabelOptions& options_;
   Limits limits_;
-  std::uint32_t slice_ = 0;  // under way
+  std::uint32_t slice_ = 0;  // current slice
   std::vector<Label*> running_;
   ValueScatter scatter_;
   HostScan scan_;
   std::vector<std::unique_ptr<Label>> labels_;
   std::unordered_map<Sample, Label*> by_sample_;
-  // Neighbours are mostly alike.
+  // Neighbours mostly have one label.
   bool has_last_ = false;
   Sample last_sample_{};
   Label* last_label_ = nullptr;

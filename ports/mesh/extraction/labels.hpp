@@ -1,4 +1,4 @@
-// The surfaces of all labels of a segmentation, in one pass over it.
+// Extracts the surfaces of all labels of a segmentation, in one pass.
 #ifndef DISCMC_MESH_EXTRACTION_LABELS_HPP
 #define DISCMC_MESH_EXTRACTION_LABELS_HPP
 
@@ -20,9 +20,9 @@ struct LabelOptions {
   Border border = Border::closed;
   /// Whether the bits of every label pass a MajorityFilter first.
   bool takes_majority = false;
-  /// The labels that are taken; else all but 0.
+  /// The labels to extract. Default: all except 0.
   std::optional<std::set<LabelValue>> chosen{};
-  /// Called after every slice with how many are done.
+  /// Called after every slice with the number of slices done.
   std::function<void(std::uint32_t)> progress;
   /// This many threads smooth labels, one each. The surfaces are the same.
   unsigned jobs = 1;
@@ -35,28 +35,28 @@ struct LabelOptions {
 /// The surface of the voxels of one value.
 struct LabelledSurface {
   LabelValue label;
-  std::uint64_t voxels = 0;  ///< that have this value, before the filter
+  std::uint64_t voxels = 0;  ///< number with this value, before the filter
   Surface surface;           ///< with the spacing of the volume
 };
 
-/// What a volume may hold.
+/// The largest number of labels in a volume.
 constexpr std::uint32_t max_labels = 65536;
-/// The most values in a slice and the two before it whose voxels are neighbours only by chance.
-/// Such a volume holds no labels, and its surfaces would be noise.
+/// The largest number of scattered values in a slice and the two before it. Neighbours share such
+/// values only by chance, so the volume holds no labels, and its surfaces would be noise.
 constexpr std::uint32_t max_scattered_labels = 1024;
 
-/// Throws the std::invalid_argument of a volume that has more values than that up to a slice.
+/// Throws std::invalid_argument for a volume with more than `most` values up to a slice.
 [[noreturn]] void refuse_values(std::uint32_t slice, std::uint32_t most);
 
 /// Distinguishes labels from samples by the positions of their values in the slices.
 class ValueScatter {
  public:
-  /// Counts voxels of one value side by side.
+  /// Counts adjacent voxels of one value.
   void add(std::uint32_t voxels) {
     voxels_ += voxels;
     ++stretches_;
   }
-  /// Throws as refuse_values(). values: of the slice and the two before it.
+  /// Throws like refuse_values(). values: number in the slice and the two before it.
   void require_labels(std::uint32_t slice, std::size_t values) const {
     if (values > max_scattered_labels && voxels_ < 2 * stretches_)
       refuse_values(slice, max_scattered_labels);
@@ -68,10 +68,10 @@ class ValueScatter {
 };
 
 /// Reads the volume to its end and extracts the surface of every value except 0, the background;
-/// the least label comes first. volume: of whole_labels(). Throws VolumeError as the reader does,
-/// std::invalid_argument where there are too many values; the text names the slice. Cost: memory of
-/// the surfaces, and 12 bytes per row of voxels of the labels under way. Time of a scan per label,
-/// of its box.
+/// labels ascend. volume: from whole_labels(). Throws VolumeError from the reader, and
+/// std::invalid_argument if there are too many values; the text names the slice. Cost: memory of
+/// the surfaces, and 12 bytes per row of voxels of the current labels. Time: a scan of the box of
+/// each label.
 std::vector<LabelledSurface> extract_labels(SliceReader& volume, const LabelOptions& options);
 
 }  // namespace discmc::meshing

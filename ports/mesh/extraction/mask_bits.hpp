@@ -1,4 +1,4 @@
-// The bits of a mask, and what they leave of others.
+// Reads a mask as bits, and applies it.
 #ifndef DISCMC_MESH_EXTRACTION_MASK_BITS_HPP
 #define DISCMC_MESH_EXTRACTION_MASK_BITS_HPP
 
@@ -11,13 +11,13 @@
 
 namespace discmc::meshing {
 
-/// Reads a mask of open_mask(), slice by slice. Holds one slice.
+/// Reads a mask of open_mask(), slice by slice. Memory: one slice.
 class MaskBits {
  public:
-  /// mask: has to live as long as this.
+  /// mask: must outlive this.
   explicit MaskBits(SliceReader& mask);
 
-  /// The rows of the next slice, bit_row_bytes() each. Valid until the next call.
+  /// Returns the rows of the next slice, bit_row_bytes() each. Valid until the next call.
   const std::uint8_t* next_slice();
   void skip_slice() { mask_.skip_slice(); }
 

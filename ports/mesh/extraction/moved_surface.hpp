@@ -1,4 +1,4 @@
-// A surface that is extracted within a box of its volume.
+// Moves a surface that was extracted within a box of its volume.
 #ifndef DISCMC_MESH_EXTRACTION_MOVED_SURFACE_HPP
 #define DISCMC_MESH_EXTRACTION_MOVED_SURFACE_HPP
 
@@ -12,7 +12,7 @@ namespace discmc::meshing {
 /// Moves the events and regions of a box to its place in the volume.
 class MovedSurface {
  public:
-  /// surface: Owner: the caller. first: of the voxels in the box.
+  /// surface: Owner: the caller. first: the box's first voxel in the volume.
   MovedSurface(JoinedSurface& surface, const std::array<std::uint32_t, 3>& first)
       : surface_(surface), by_{half_steps(first[0]), half_steps(first[1]), half_steps(first[2])} {}
 
@@ -27,7 +27,7 @@ class MovedSurface {
     return surface_.accept_region(moved);
   }
 
-  /// The way from the box to its place.
+  /// Returns the vector from the box to its place.
   const Vertex& by() const { return by_; }
 
  private:

@@ -45,7 +45,7 @@ class NarrowedVolume final : public SliceReader {
 
   static std::int16_t counted(double sample, bool is_on, double zero, double scale) {
     double distance = std::round((sample - zero) * scale);
-    if (std::isnan(distance)) distance = 0;  // of no number, or from an infinite level
+    if (std::isnan(distance)) distance = 0;  // for NaN, or an infinite level
     return static_cast<std::int16_t>(is_on ? std::clamp(distance, 0.0, greatest)
                                            : std::clamp(distance, -greatest, -1.0));
   }

@@ -1,4 +1,4 @@
-// A volume of any sample type in 16 bits, for what takes no others: gradients.
+// Converts a volume of any sample type to 16 bits, which gradients need.
 #ifndef DISCMC_MESH_EXTRACTION_NARROWED_VOLUME_HPP
 #define DISCMC_MESH_EXTRACTION_NARROWED_VOLUME_HPP
 
@@ -9,10 +9,9 @@
 
 namespace discmc::meshing {
 
-/// The volume as 16-bit samples with sign, whose values are counted from iso. They are negative
-/// exactly if the value is below iso, and in proportion as far as 16 bits allow.
-/// So the surface at 0 is that of the volume at iso. A sample that is not a number is just below
-/// it. bounds: of the volume.
+/// Returns the volume as signed 16-bit samples, with values relative to iso. They are negative
+/// exactly if the value is below iso, and proportional as far as 16 bits allow. The surface at 0 is
+/// therefore the volume's at iso. NaN becomes a sample just below 0. bounds: of the volume.
 std::unique_ptr<SliceReader> narrowed(std::unique_ptr<SliceReader> volume,
                                       const SampleBounds& bounds, double iso);
 

@@ -1,4 +1,4 @@
-// A majority filter with a host's memory.
+// A majority filter in a host's memory.
 #ifndef DISCMC_MESH_EXTRACTION_OWN_FILTER_HPP
 #define DISCMC_MESH_EXTRACTION_OWN_FILTER_HPP
 
@@ -11,7 +11,7 @@
 
 namespace discmc::meshing {
 
-/// A filter that is started, in memory of its own.
+/// A started filter, in memory of its own.
 struct OwnFilter {
   explicit OwnFilter(const Limits& limits) : memory(MajorityFilter::bytes_for(limits)) {
     require(filter.start(limits, {memory.data(), memory.size()}));

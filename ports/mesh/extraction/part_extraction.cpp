@@ -21,13 +21,13 @@
 namespace discmc::meshing {
 namespace {
 
-// What a part gives to a surface: regions, as polygons, as packets or as both, and what is to be
-// joined. As parts follow each other from below, the pieces of a region come in the order of a
-// sweep.
+// Collects what a part contributes to a surface: regions as polygons, as packets or as both, and
+// pieces to join. Parts follow each other from below, so the pieces of a region arrive in the order
+// of a sweep.
 //
 // If a fragment of its plane is sent before a hole, the hole is sent as a loose ring, although its
-// region is whole. Then the region is to be joined, too. Holes that cross a seam are in regions
-// that do: nothing of a hole lies below all of what surrounds it, or above.
+// region is whole. Then the region must be joined, too. Holes that cross a seam belong to regions
+// that cross it: no hole lies entirely below or above what surrounds it.
 class PartSurface {
  public:
   explicit PartSurface(const SurfaceRequest& request) {
@@ -36,21 +36,20 @@ class PartSurface {
   }
 
   SinkResult accept(const Event& event) {
-    if (event.kind == Event::Kind::finish)
-      return SinkResult::accepted;  // all parts have one together
+    if (event.kind == Event::Kind::finish) return SinkResult::accepted;  // the parts share one
     if (event.kind == Event::Kind::start && packets_) packets_->accept(event);
     if (event.kind == Event::Kind::region) {
-      region_ = event;  // until its plane is known
+      region_ = event;  // waits for its first ring
       return SinkResult::accepted;
     }
     if (event.kind == Event::Kind::ring && region_) begin_region(event.start);
-    if (place_ == Place::joined) follow_fragment(event);
+    if (destination_ == Destination::joined) follow_fragment(event);
     const SinkResult answer = give(event);
-    if (event.kind == Event::Kind::region_end) place_ = Place::joined;
+    if (event.kind == Event::Kind::region_end) destination_ = Destination::joined;
     return answer;
   }
 
-  // Takes a region that is whole.
+  // Accepts a whole region.
   SinkResult accept_region(const WholeRegion& region) {
     if (has_loose_rings(region.incidence(), region.start())) return SinkResult::busy;
     if (packets_) packets_->accept_region(region);
@@ -58,7 +57,7 @@ class PartSurface {
     return SinkResult::accepted;
   }
 
-  // What is to be joined goes to the joiner, which sends to the same sink.
+  // Sends the pieces to join to the joiner, which has the request's sink.
   void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
     if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.replay(make_sink(joiner));
@@ -66,7 +65,7 @@ class PartSurface {
   }
 
  private:
-  enum class Place { whole, joined };
+  enum class Destination { whole, joined };
 
   static std::uint64_t plane_of(Incidence incidence, const Vertex& vertex) {
     return std::uint64_t{incidence} << 32 |
@@ -79,11 +78,12 @@ class PartSurface {
 
   void begin_region(const Vertex& vertex) {
     const Event region = *std::exchange(region_, std::nullopt);
-    place_ = has_loose_rings(region.incidence, vertex) ? Place::joined : Place::whole;
+    destination_ =
+        has_loose_rings(region.incidence, vertex) ? Destination::joined : Destination::whole;
     give(region);
   }
 
-  // Notes the planes of loose rings: they end where they start, and come there as they came.
+  // Records the planes of loose rings, which end where and in the direction in which they start.
   void follow_fragment(const Event& event) {
     if (event.kind == Event::Kind::fragment) {
       fragment_ = event;
@@ -99,19 +99,19 @@ class PartSurface {
   }
 
   SinkResult give(const Event& event) {
-    if (place_ == Place::joined) return joined_.accept(event);
+    if (destination_ == Destination::joined) return joined_.accept(event);
     if (polygons_) polygons_->accept(event);
     if (packets_) packets_->accept(event);
     return SinkResult::accepted;
   }
 
   std::optional<Event> region_;
-  Place place_ = Place::joined;    // of what is under way
-  std::optional<Event> fragment_;  // under way
-  Vertex end_{};                   // of it, so far
-  Direction last_ = 0;             // by which it came there
+  Destination destination_ = Destination::joined;  // of the current events
+  std::optional<Event> fragment_;                  // the current one
+  Vertex end_{};                                   // of the current fragment
+  Direction last_ = 0;                             // direction in which it reached end_
   std::unordered_set<std::uint64_t> ring_planes_;
-  // The regions that are whole, as they are asked for.
+  // The whole regions, in the requested forms.
   std::optional<SurfaceBuilder> polygons_;
   std::unique_ptr<EncodedPart> packets_;
   EventRecord joined_;
@@ -119,18 +119,19 @@ class PartSurface {
 
 struct Part {
   SlabSpans spans;
-  std::vector<std::uint8_t> samples;  // of the slices that are read
+  std::vector<std::uint8_t> samples;  // of the slices read
   std::vector<std::uint8_t> mask;     // rows of bits, if there is a mask
   std::vector<PartSurface> surfaces;
   std::vector<Extraction> extractions;
 };
 
-// Slices of equal size, read once, for spans that overlap.
+// Reads slices of equal size once, for overlapping spans.
 class OverlappingSlices {
  public:
   explicit OverlappingSlices(std::size_t slice_bytes) : slice_bytes_(slice_bytes) {}
 
-  // read(bytes): reads the next slice. Limit: spans in order, none after a gap but the first.
+  // read(bytes): reads the next slice. Limit: spans are in order, and only the first may follow a
+  // gap.
   template <class Read>
   void fill(const SliceSpan& span, std::vector<std::uint8_t>& slices, Read read) {
     const std::size_t shared = end_ > span.first ? (end_ - span.first) * slice_bytes_ : 0;
@@ -143,7 +144,7 @@ class OverlappingSlices {
   }
 
  private:
-  // Slices that two parts both read: one of context and one for the filter on either side.
+  // Two parts share slices: one of context and one for the filter on either side.
   static constexpr std::size_t max_shared = 4;
 
   std::size_t slice_bytes_;
@@ -185,12 +186,12 @@ class PartReader {
   std::optional<MaskBits> mask_;
   std::size_t mask_bytes_ = 0;
   OverlappingSlices bits_;
-  std::uint32_t end_ = 0;  // of the slices that were read or skipped
+  std::uint32_t end_ = 0;  // end of the slices that were read or skipped
 };
 
 using PartExtractors = Extractors<HostExtractor>;
 
-// Extractors that no part is using.
+// Extractors that are free for the next part.
 class IdleExtractors {
  public:
   std::unique_ptr<PartExtractors> take() {
@@ -210,10 +211,10 @@ class IdleExtractors {
   std::vector<std::unique_ptr<PartExtractors>> idle_;
 };
 
-class Parts {
+class PartExtraction {
  public:
-  Parts(SliceReader& volume, const SurfaceOptions& options,
-        const std::vector<SurfaceRequest>& surfaces)
+  PartExtraction(SliceReader& volume, const SurfaceOptions& options,
+                 const std::vector<SurfaceRequest>& surfaces)
       : info_(volume.info()),
         options_(options),
         requests_(surfaces),
@@ -240,8 +241,8 @@ class Parts {
     reader_.read(part);
   }
 
-  // If memory is short, some pieces are sent loose that cross no seam, and would have to be joined
-  // before the whole regions.
+  // With little memory, some pieces are sent loose although they cross no seam. They would have to
+  // be joined before the whole regions.
   void work_on(Part& part) {
     std::unique_ptr<PartExtractors> extractors = idle_.take();
     if (!extractors) extractors = new_extractors(first_arena_bytes());
@@ -286,7 +287,7 @@ class Parts {
     if (progress_) progress_(part.spans.own.end);
   }
 
-  // totals: of the parts; then of what was joined.
+  // totals: of the parts; then of the joined result.
   void finish(GrowingJoiner& joiner, Statistics& totals) const {
     Event event{};
     event.kind = Event::Kind::finish;
@@ -331,7 +332,7 @@ class Parts {
   SampleGrid info_;
   SurfaceOptions options_;
   const std::vector<SurfaceRequest>& requests_;
-  std::function<void(std::uint32_t)> progress_;  // of all parts
+  std::function<void(std::uint32_t)> progress_;  // of all parts together
   PartReader reader_;
   std::vector<SliceSpan> spans_;
   IdleExtractors idle_;
@@ -361,7 +362,7 @@ std::vector<SliceSpan> parts_of(const SampleGrid& info, const SliceSpan& slices)
 
 std::vector<Extraction> extract_in_parts(SliceReader& volume, const SurfaceOptions& options,
                                          const std::vector<SurfaceRequest>& surfaces) {
-  return Parts(volume, options, surfaces).extract();
+  return PartExtraction(volume, options, surfaces).extract();
 }
 
 }  // namespace discmc::meshing

@@ -1,4 +1,4 @@
-// A volume in parts, on several cores.
+// Extracts a volume in parts, on several cores.
 #ifndef DISCMC_MESH_EXTRACTION_PART_EXTRACTION_HPP
 #define DISCMC_MESH_EXTRACTION_PART_EXTRACTION_HPP
 
@@ -10,14 +10,14 @@
 
 namespace discmc::meshing {
 
-/// The parts that slices of a volume are divided into: 16 to 32 slices each, fewer where these are
-/// large. They do not depend on the jobs, and neither does the surface.
+/// Returns the parts into which slices of a volume are divided: 16 to 32 slices each, fewer if
+/// slices are large. Neither the parts nor the surface depend on the number of jobs.
 std::vector<SliceSpan> parts_of(const SampleGrid& info, const SliceSpan& slices);
 
-/// As extract(), by `jobs` threads at once. Regions come in the order of the parts: those that
-/// cross seams with the part that they end in, before its own. Memory: twice as many parts as jobs,
-/// and the pieces that cross seams. Limit: at least one job; of the options and requests as for
-/// SurfaceOptions::jobs.
+/// Extracts like extract_surfaces(), with `jobs` threads. Regions have the order of the parts;
+/// regions that cross seams precede the own regions of the part in which they end. Memory: twice as
+/// many parts as jobs, and the pieces that cross seams. Limit: at least one job; options and
+/// requests as for SurfaceOptions::jobs.
 std::vector<Extraction> extract_in_parts(SliceReader& volume, const SurfaceOptions& options,
                                          const std::vector<SurfaceRequest>& surfaces);
 

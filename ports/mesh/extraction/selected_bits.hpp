@@ -1,4 +1,4 @@
-// The voxels of a volume that are on, as bits.
+// Makes bits of the voxels of a volume that are on.
 #ifndef DISCMC_MESH_EXTRACTION_SELECTED_BITS_HPP
 #define DISCMC_MESH_EXTRACTION_SELECTED_BITS_HPP
 
@@ -12,16 +12,16 @@
 
 namespace discmc::meshing {
 
-/// Reads a volume slice by slice, and keeps what is selected and in the mask.
+/// Reads a volume slice by slice, and keeps voxels that are selected and in the mask.
 class SelectedBits {
  public:
-  /// volume: not yet read; mask: or none; both have to live as long as this.
+  /// volume: not yet read. mask: may be null. Both must outlive this.
   SelectedBits(SliceReader& volume, const Selection& selection, SliceReader* mask);
 
-  /// The rows of the next slice, bit_row_bytes() each. Valid until the next call.
+  /// Returns the rows of the next slice, bit_row_bytes() each. Valid until the next call.
   const std::uint8_t* next_slice();
 
-  /// Samples that were not a number, and taken as off.
+  /// Returns the number of NaN samples, which count as off.
   std::uint64_t not_numbers() const { return not_numbers_; }
 
  private:
@@ -32,7 +32,7 @@ class SelectedBits {
   std::uint64_t not_numbers_ = 0;
 };
 
-/// The description of a volume of samples of another kind that are made of these bits.
+/// Returns the description of a volume whose samples are made from these bits.
 SampleGrid info_of_mask(SampleGrid info, SampleType type);
 
 }  // namespace discmc::meshing

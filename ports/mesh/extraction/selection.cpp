@@ -8,15 +8,15 @@
 namespace discmc::meshing {
 namespace {
 
-// The least sample for which a condition holds that then holds for all above; the greatest where
-// it holds for none. By bisection: exact where a quotient would be rounded.
+// Returns the least sample that fulfils a monotonic condition, or the greatest sample if none does.
+// Uses bisection, which is exact although a quotient would be rounded.
 template <class Sample, class Condition>
 Sample first_sample(Condition holds) {
   using Limits = std::numeric_limits<Sample>;
   Sample low = Limits::min();
   Sample high = Limits::max();
   while (low < high) {
-    // Half of the distance fits the unsigned type of the same width.
+    // Half of the distance fits the unsigned type of this width.
     using Distance = std::make_unsigned_t<Sample>;
     const auto half = static_cast<Distance>(
         static_cast<Distance>(static_cast<Distance>(high) - static_cast<Distance>(low)) / 2);
@@ -34,7 +34,7 @@ SampleRange<Sample> none() {
   return {Sample{1}, Sample{0}};
 }
 
-// Where values are the stored whole numbers: all digits of 64 bits count.
+// Handles values that are the stored whole numbers, with all digits of 64 bits.
 template <class Sample>
 SampleRange<Sample> selected_as_stored(const Selection& selection) {
   using Limits = std::numeric_limits<Sample>;
@@ -47,7 +47,7 @@ SampleRange<Sample> selected_as_stored(const Selection& selection) {
           high < beyond ? static_cast<Sample>(high) : Limits::max()};
 }
 
-// Whole numbers: value = slope * stored + intercept is compared, as stored_threshold() does.
+// Handles whole numbers, and compares value = slope * stored + intercept like stored_threshold().
 template <class Sample>
 SampleRange<Sample> selected_whole(const SampleGrid& info, const Selection& selection) {
   using Limits = std::numeric_limits<Sample>;
@@ -75,15 +75,15 @@ SampleRange<Sample> selected_floating(const SampleGrid& info, const Selection& s
           stored(-lowered_by_rounding(info, -selection.high))};
 }
 
-// Eight flags of a byte each to eight bits, the first one lowest: the product has all in its
-// highest byte.
+// Packs eight flags of a byte each to eight bits, the first one lowest. The highest byte of the
+// product has all of them.
 std::uint8_t packed(const std::uint8_t* flags) {
   std::uint64_t word = 0;
   for (unsigned i = 0; i < 8; ++i) word |= std::uint64_t{flags[i]} << (8 * i);
   return static_cast<std::uint8_t>(word * 0x0102040810204080 >> 56);
 }
 
-// is_on: without a branch, and a copy, so that compilers take many at once.
+// is_on: without a branch, and a copy, so that compilers vectorise it.
 template <class Sample, class Condition>
 void select_row(const Sample* samples, std::uint32_t width, Condition is_on, std::uint8_t* bits) {
   constexpr std::uint32_t many = 64;

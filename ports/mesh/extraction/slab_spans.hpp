@@ -1,4 +1,4 @@
-// The slices that a slab is made of, and those beside it that it takes.
+// The slices of a slab, and the further slices that its extraction reads.
 #ifndef DISCMC_MESH_EXTRACTION_SLAB_SPANS_HPP
 #define DISCMC_MESH_EXTRACTION_SLAB_SPANS_HPP
 
@@ -11,7 +11,7 @@
 
 namespace discmc::meshing {
 
-/// Slices of a volume that follow each other.
+/// Successive slices of a volume.
 struct SliceSpan {
   std::uint32_t first, end;
 
@@ -25,8 +25,8 @@ struct SliceSpan {
 
 struct SlabSpans {
   SliceSpan own;
-  SliceSpan given;  ///< to the extractor: a slice of each neighbour, too
-  SliceSpan read;   ///< what these are made from: a MajorityFilter looks at a slice on either side
+  SliceSpan given;  ///< given to the extractor: includes a slice of each neighbour
+  SliceSpan read;   ///< read for these: a MajorityFilter needs a slice on either side
 };
 
 /// slab: nothing for the whole volume. depth: of the volume.
@@ -40,7 +40,7 @@ inline SlabSpans slab_spans(const SliceSpan& own, std::uint32_t depth, bool take
   return {own, given, given.widened(takes_majority ? 1 : 0, depth)};
 }
 
-/// The slab as the extractor expects it. depth: of the volume.
+/// Returns the slab in the form of the extractor. depth: of the volume.
 inline Slab slab_limits(const SlabRange& slab, std::uint32_t depth) {
   return {slab.first, slab.first > 0, slab.end() < depth};
 }

@@ -8,7 +8,7 @@
 namespace discmc::meshing {
 namespace {
 
-// One job is fastest with one sweep. Streams and the seams of slabs depend on the parts.
+// A single sweep is fastest for one job. Streams and the seams of slabs depend on the parts.
 bool is_for_parts(const SurfaceOptions& options, const std::vector<SurfaceRequest>& surfaces) {
   return *options.jobs > 1 || options.memory > 0 || options.slab.has_value() ||
          std::any_of(surfaces.begin(), surfaces.end(),

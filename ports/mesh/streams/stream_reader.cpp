@@ -64,13 +64,13 @@ void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {
     if (decoded.status == Status::too_little_memory && memory_ == nullptr)
       decoded.status = give_memory();
     else if (decoded.status == Status::suspended)
-      decoded.status = go_on_skipping();
+      decoded.status = skip_lost_rows();
   } while (decoded.status == Status::ok && count > 0);
   status_ = decoded.status;
 }
 
 // The sink accepts everything, so a suspended decoder has lost rows to skip.
-Status StreamReader::go_on_skipping() {
+Status StreamReader::skip_lost_rows() {
   constexpr std::uint64_t max_work = std::uint64_t{1} << 36;  // some seconds
   const std::uint64_t work_of_row = header().width + std::uint64_t{1000};
   for (;;) {

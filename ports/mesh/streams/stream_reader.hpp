@@ -60,7 +60,7 @@ class StreamReader {
   void decode(const std::uint8_t* bytes, std::size_t count);
   void require_ok() const;
   Status give_memory();
-  Status go_on_skipping();
+  Status skip_lost_rows();
 
   StreamChoice choice_;
   std::optional<ScanFilter> filter_;
