@@ -57,7 +57,7 @@ Command add_decode(CLI::App& app) {
       "  discmc decode head.dmc --surface relaxed -o head.stl\n"
       "  discmc decode head.dmc --normals gradient --volume head.nii.gz -o head.obj");
   decode->callback([arguments, decode] {
-    take_format(arguments->format, arguments->output);
+    add_format_to_name(arguments->format, arguments->output);
     check(*decode, *arguments);
   });
   return {decode, [arguments] { return run_decode(*arguments); }};

@@ -56,7 +56,7 @@ std::string values_text(const std::optional<ValueRange>& range) {
 }
 
 // Example: ", the values are 0 to 255; choose a threshold with discmc info".
-std::string what_there_is(const NamedSelection& surface, const MeasuredVolume& volume) {
+std::string value_hint(const NamedSelection& surface, const MeasuredVolume& volume) {
   if (surface.is_label) return "; list the labels with discmc info";
   return ", and " + values_text(volume.range()) + "; choose a threshold with discmc info";
 }
@@ -66,7 +66,7 @@ std::string what_there_is(const NamedSelection& surface, const MeasuredVolume& v
 std::string why_empty(const std::string& path, const VolumeArguments& arguments,
                       const NamedSelection& surface, const MeasuredVolume& volume, bool is_full) {
   return name_for_people(path) + ": " + reason(arguments, surface, volume, is_full) +
-         what_there_is(surface, volume);
+         value_hint(surface, volume);
 }
 
 void fail_empty(const std::string& path, const VolumeArguments& arguments,
@@ -84,7 +84,7 @@ void check_surface(const std::string& path, const VolumeArguments& arguments,
   if (is_empty || !extraction.is_full) return;
   print_message(path, every_voxel(arguments, surface) +
                           ", so the surface is the box of the volume" +
-                          what_there_is(surface, volume));
+                          value_hint(surface, volume));
 }
 
 }  // namespace discmc::command

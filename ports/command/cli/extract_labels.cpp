@@ -38,13 +38,13 @@ struct FoundLabel {
 
 // The requested labels by layer. For `all`, layers have no labels here. A region is one surface of
 // several labels.
-struct Chosen {
+struct ChosenLabels {
   std::map<std::uint32_t, std::optional<std::set<LabelValue>>> labels;
   std::vector<NamedLabels> regions;
 };
 
-Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names) {
-  Chosen chosen;
+ChosenLabels chosen_labels(const ExtractArguments& arguments, const LabelNames& names) {
+  ChosenLabels chosen;
   if (arguments.labels == "all") {
     for (const std::uint32_t layer : names.layers()) chosen.labels[layer];
     chosen.regions = names.regions();
@@ -171,7 +171,7 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
   const LabelNames& names = segmentation.names();
   std::vector<FoundLabel> found;
   std::vector<std::string> missing;
-  const Chosen all = chosen_labels(arguments, names);
+  const ChosenLabels all = chosen_labels(arguments, names);
   for (const NamedLabels& region : all.regions)
     add_region(arguments, segmentation, region, found, missing);
   for (const auto& [layer, chosen] : all.labels) {

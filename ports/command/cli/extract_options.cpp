@@ -372,8 +372,8 @@ Command add_extract(CLI::App& app) {
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
   extract->allow_extras();
   extract->callback([arguments, extract] {
-    take_other_files(*extract, arguments->reading.options);
-    take_format(arguments->format, arguments->output);
+    add_other_files(*extract, arguments->reading.options);
+    add_format_to_name(arguments->format, arguments->output);
     choose_surface(*arguments, *extract);
     check(*arguments, *extract);
   });

@@ -24,7 +24,7 @@ Command add_info(CLI::App& app) {
       "  discmc info head.nii.gz");
   info->allow_extras();
   info->callback([arguments, info] {
-    take_other_files(*info, arguments->options);
+    add_other_files(*info, arguments->options);
     arguments->is_volume = is_volume_input(*info, arguments->input);
     if (arguments->is_volume) check_kind(*info, arguments->input, *arguments->is_volume);
   });

@@ -105,7 +105,7 @@ Command add_view(CLI::App& app) {
       "--serve\n  discmc view - --serve < /dev/ttyACM0");
   view->allow_extras();
   view->callback([arguments, view] {
-    take_other_files(*view, arguments->reading.options);
+    add_other_files(*view, arguments->reading.options);
     choose_kind(*view, *arguments);
     if (arguments->kind != InputKind::mesh) check_surface_options(*view, *arguments);
     check_label_options(arguments->labels, arguments->reading);

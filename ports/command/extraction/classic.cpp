@@ -60,7 +60,7 @@ class Cubes {
         level_(level_below(info, options.selection)) {
     mesh_.spacing_mm = info.spacing_mm;
     const Point& s = mesh_.spacing_mm;
-    mirrored_ = (s[0] < 0) != ((s[1] < 0) != (s[2] < 0));
+    is_mirrored_ = (s[0] < 0) != ((s[1] < 0) != (s[2] < 0));
     for (Slice* slice : {&below_, &above_}) {
       slice->value.assign(width_ * height_, halo);
       for (auto& crossings : slice->crossings) crossings.assign(width_ * height_, no_vertex);
@@ -123,7 +123,7 @@ class Cubes {
       std::uint32_t vertex[Loop::max_points];
       for (int j = 0; j < loop.count; ++j) vertex[j] = vertex_at(loop.point[j], x, y);
       for (int j = 2; j < loop.count; ++j)
-        add_triangle(vertex[0], vertex[mirrored_ ? j : j - 1], vertex[mirrored_ ? j - 1 : j]);
+        add_triangle(vertex[0], vertex[is_mirrored_ ? j : j - 1], vertex[is_mirrored_ ? j - 1 : j]);
     }
   }
 
@@ -160,7 +160,7 @@ class Cubes {
   const std::array<Loops, configurations> fans_ = fans();
   std::size_t border_, width_, height_;
   double level_;
-  bool mirrored_;
+  bool is_mirrored_;
   std::uint32_t slices_ = 0;  // number of slices below `above_`
   Slice below_, above_;
   FaceMesh mesh_;

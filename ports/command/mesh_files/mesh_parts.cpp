@@ -17,7 +17,7 @@ FileMesh MeshParts::bounds() const {
       for (const std::int32_t y : {low.y, high.y})
         for (const std::int32_t z : {low.z, high.z}) add_vertex({x, y, z}, box);
   }
-  place_(box);
+  move_part_(box);
   return box;
 }
 
@@ -25,13 +25,13 @@ void MeshParts::make_vertices(std::size_t first, std::size_t end, FileMesh& part
   part.spacing_mm = surface_.spacing_mm;
   part.vertices_mm.clear();
   for (std::size_t i = first; i < end; ++i) add_vertex(vertices_.positions()[i], part);
-  place_(part);
+  move_part_(part);
 }
 
 void MeshParts::make_faces(std::size_t number, Block& block) const {
   maker(block).make(number, block.faces);
   if (sums_edges_) block.edge_sum = edge_sum(block.faces);
-  place_(block.faces);
+  move_part_(block.faces);
 }
 
 void MeshParts::make_triangles(std::size_t number, Block& block) const {
@@ -41,7 +41,7 @@ void MeshParts::make_triangles(std::size_t number, Block& block) const {
   faces.vertices_mm.clear();
   faces.vertices_mm.reserve(faces.lattice.size());
   for (const Vertex& vertex : faces.lattice) add_vertex(vertex, faces);
-  place_(faces);
+  move_part_(faces);
 }
 
 PlaneFaces& MeshParts::maker(Block& block) const {

@@ -24,7 +24,7 @@ struct MeshTotals {
 /// The mesh of build_mesh() in parts: ranges of its vertices, and the faces of blocks of polygons.
 class MeshParts {
  public:
-  using Place = std::function<void(FileMesh&)>;
+  using MovePart = std::function<void(FileMesh&)>;
   /// The faces of a block, and their maker, which later blocks reuse.
   struct Block {
     std::unique_ptr<PlaneFaces> maker;
@@ -32,13 +32,14 @@ class MeshParts {
     std::uint64_t edge_sum = 0;
   };
 
-  /// place: moves a part to its position in the file; several threads call it. Limit: no
+  /// move_part: moves a part to its position in the file; several threads call it. Limit: no
   /// interpolation. Owner: the caller keeps the surface.
-  MeshParts(const Surface& surface, const MeshingOptions& options, bool sums_edges, Place place)
+  MeshParts(const Surface& surface, const MeshingOptions& options, bool sums_edges,
+            MovePart move_part)
       : surface_(surface),
         options_(options),
         sums_edges_(sums_edges),
-        place_(std::move(place)),
+        move_part_(std::move(move_part)),
         vertices_(surface.polygons) {}
 
   unsigned jobs() const { return options_.jobs; }
@@ -65,7 +66,7 @@ class MeshParts {
   const Surface& surface_;
   MeshingOptions options_;
   bool sums_edges_;
-  Place place_;
+  MovePart move_part_;
   VertexNumbers vertices_;
 };
 

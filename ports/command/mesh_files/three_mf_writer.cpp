@@ -175,14 +175,15 @@ void write_model(const Meshes& meshes, std::ostream& out) {
 }  // namespace
 
 void write_3mf(const Meshes& meshes, std::ostream& out) {
-  constexpr std::uint64_t vertex_line = 100, triangle_line = 70, the_rest = 1000;  // upper bounds
-  constexpr std::uint64_t letter = 12;  // per character of a name, escaped, in both places
-  std::uint64_t bytes = the_rest;
+  constexpr std::uint64_t vertex_line = 100, triangle_line = 70,
+                          other_bytes = 1000;  // upper bounds
+  constexpr std::uint64_t letter = 12;         // per character of a name, escaped, in both places
+  std::uint64_t bytes = other_bytes;
   const Meshes seen = with_faces(meshes);  // 3MF allows no object without triangles
   for (const FileMesh* mesh : seen) {
     require_triangles(*mesh, "3MF");
     bytes += vertex_line * mesh->vertices_mm.size() + triangle_line * mesh->face_count() +
-             letter * mesh->name.size() + the_rest;
+             letter * mesh->name.size() + other_bytes;
   }
   ZipFile zip(out, bytes);
   zip.add("[Content_Types].xml", [](std::ostream& part) { part << content_types; });

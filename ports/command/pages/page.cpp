@@ -72,11 +72,11 @@ class Gzip : public std::streambuf {
 constexpr std::string_view scripts = "<script type=\"application/base64\" id=\"module\">";
 
 // The parts of the page before and after the found text.
-struct Parts {
+struct PageParts {
   std::string_view head, scripts;
 };
 
-Parts parts_of_page() {
+PageParts parts_of_page() {
   const std::string_view page = page_template();
   const std::size_t begin = page.find(scripts);
   if (begin == std::string_view::npos)
@@ -98,7 +98,7 @@ constexpr std::string_view no_source = "default-src 'none';";
 
 void write_page(const std::string& name, const std::function<void(std::ostream&)>& write,
                 std::ostream& out) {
-  const Parts page = parts_of_page();
+  const PageParts page = parts_of_page();
   out << page.head << begin_data(name) << " data-encoding=\"gzip\">";
   Base64 base64(out);
   Gzip gzip(base64);
@@ -118,7 +118,7 @@ bool is_page(const std::filesystem::path& file) {
 }
 
 std::string served_page(const std::string& name, const std::string& source, bool is_live) {
-  const Parts page = parts_of_page();
+  const PageParts page = parts_of_page();
   std::string text(page.head);
   const std::size_t policy = text.find(no_source);
   if (policy == std::string::npos)

@@ -68,9 +68,9 @@ std::string size_of_chunk(std::size_t bytes) {
 }
 
 // Sends its bytes to a client. Fails when the client disconnects or the server stops.
-class Sending : public std::streambuf {
+class ClientBuffer : public std::streambuf {
  public:
-  Sending(HttpConnection& connection, bool is_chunked, const std::atomic<bool>& is_stopping)
+  ClientBuffer(HttpConnection& connection, bool is_chunked, const std::atomic<bool>& is_stopping)
       : connection_(connection), is_chunked_(is_chunked), is_stopping_(is_stopping) {}
 
  protected:
@@ -164,7 +164,7 @@ class Server {
   void send(HttpConnection& connection, const char* type, std::optional<std::uint64_t> bytes,
             const std::function<void(std::ostream&)>& write) {
     if (!connection.send(head_of(ok, type, bytes))) return;
-    Sending sending(connection, !bytes, is_stopping_);
+    ClientBuffer sending(connection, !bytes, is_stopping_);
     std::ostream out(&sending);
     out.exceptions(std::ios::badbit | std::ios::failbit);
     try {

@@ -19,18 +19,18 @@ namespace {
 using namespace std::string_view_literals;
 
 // The name of the packing is also its program's name.
-struct Described {
+struct PackingTraits {
   Packing packing;
   std::string_view name;
   std::string_view magic;
 };
-constexpr Described packings[] = {
+constexpr PackingTraits packings[] = {
     {Packing::gzip, "gzip", "\x1f\x8b"sv},       {Packing::bzip2, "bzip2", "BZh"sv},
     {Packing::xz, "xz", "\xfd\x37zXZ\0"sv},      {Packing::zstd, "zstd", "\x28\xb5\x2f\xfd"sv},
     {Packing::lz4, "lz4", "\x04\x22\x4d\x18"sv},
 };
 
-const Described& described(Packing packing) {
+const PackingTraits& traits_of(Packing packing) {
   return packings[static_cast<std::size_t>(packing)];
 }
 
@@ -60,18 +60,18 @@ ArchiveSource::Support support_of(Packing packing) {
 }  // namespace
 
 std::string_view name(Packing packing) {
-  return described(packing).name;
+  return traits_of(packing).name;
 }
 
 std::optional<Packing> packing_of(std::string_view head) {
-  for (const Described& each : packings)
+  for (const PackingTraits& each : packings)
     if (head.substr(0, each.magic.size()) == each.magic) return each.packing;
   return std::nullopt;
 }
 
 std::optional<Packing> packing_of_name(const std::filesystem::path& file) {
   const std::string extension = lower(file.extension().string());
-  for (const Described& each : packings)
+  for (const PackingTraits& each : packings)
     if (extension == packed_endings[1 + static_cast<std::size_t>(each.packing)])
       return each.packing;
   return std::nullopt;

@@ -55,7 +55,7 @@ std::string entries(const std::vector<OptionOutline>& options) {
 }
 
 // Marks lines that troff must not fill.
-std::string as_they_are(const std::string& text) {
+std::string unfilled(const std::string& text) {
   std::string page = ".nf\n";
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) page += escaped(line) + '\n';
@@ -68,7 +68,7 @@ std::string section_of(const CommandOutline& command) {
     text += described("\\fI" + escaped(argument.names.front()) + "\\fR", argument.description);
   for (const GroupOutline& group : command.groups)
     text += ".PP\n\\fI" + escaped(group.title) + "\\fR\n" + entries(group.options);
-  return command.footer.empty() ? text : text + ".PP\n" + as_they_are(command.footer);
+  return command.footer.empty() ? text : text + ".PP\n" + unfilled(command.footer);
 }
 
 std::string upper_case(std::string text) {
@@ -86,7 +86,7 @@ std::string manual(const CommandOutline& program, const std::string& version) {
   page += ".SH SYNOPSIS\n";
   std::string usages;
   for (const CommandOutline& command : program.commands) usages += command.usage + '\n';
-  page += as_they_are(usages) + ".SH OPTIONS\n";
+  page += unfilled(usages) + ".SH OPTIONS\n";
   for (const GroupOutline& group : program.groups) page += entries(group.options);
   page += ".SH COMMANDS\n";
   for (const CommandOutline& command : program.commands) page += section_of(command);
@@ -94,7 +94,7 @@ std::string manual(const CommandOutline& program, const std::string& version) {
   const std::size_t gap = program.footer.rfind("\n\n");
   if (gap == std::string::npos) return page;
   const std::size_t begin = program.footer.find('\n') + 1;  // behind the heading
-  page += ".SH EXAMPLES\n" + as_they_are(program.footer.substr(begin, gap - begin));
+  page += ".SH EXAMPLES\n" + unfilled(program.footer.substr(begin, gap - begin));
   return page + ".SH EXIT STATUS\n" + escaped(program.footer.substr(gap + 2)) + '\n';
 }
 

@@ -139,7 +139,7 @@ std::string unknown_command(const std::string& argument, const CLI::App& app) {
 }
 
 // A surplus file is often meant as the output.
-std::string surplus(const std::string& argument, const CLI::App& app) {
+std::string surplus_message(const std::string& argument, const CLI::App& app) {
   const CLI::Option* output = app.get_option_no_throw("--output");
   const std::string extension = std::filesystem::path(argument).extension().string();
   const bool is_volume = extension == ".gz" || extension == ".nii" || extension == ".nrrd" ||
@@ -164,7 +164,7 @@ std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   // Other errors come before a surplus argument. Often an option lacks its value and has consumed
   // the next argument.
   if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return "";
-  return surplus(argument, app);
+  return surplus_message(argument, app);
 }
 
 // Returns the option whose value is missing, surplus or of the wrong kind; else null.
@@ -177,7 +177,7 @@ const CLI::Option* mistaken_option(const CLI::App& command, const CLI::Error& er
 }
 
 // Rewrites CLI11's own messages as fault, value and remedy.
-std::string plain(const std::string& what) {
+std::string plain_message(const std::string& what) {
   static const std::regex member(R"((\S+): (.*) not in \{(.*)\})");
   static const std::pair<std::regex, const char*> rules[] = {
       {std::regex(R"((\S+): Value (.*) not in range \[?(\S+) (?:to|-) ([^\]]+)\]?)"),
@@ -204,7 +204,7 @@ std::string wrong_item(const CLI::App& command, const CLI::Error& error) {
   const std::string what = error.what();
   const CLI::Option* option = command.get_option_no_throw(what.substr(0, what.find(':')));
   const bool has_several = option != nullptr && option->get_items_expected_min() > 1;
-  const std::string text = plain(what);
+  const std::string text = plain_message(what);
   return has_several ? std::regex_replace(text, std::regex("; expected "),
                                           "; expected " + option->get_option_text() + ", each ")
                      : text;

@@ -60,7 +60,7 @@ void add_format_option(CLI::App& app, std::string& format) {
       ->option_text("stl|ply|...");
 }
 
-void take_format(const std::string& format, std::string& output) {
+void add_format_to_name(const std::string& format, std::string& output) {
   if (format.empty()) return;
   if (output != "-")
     refuse("--format", "is for standard output; leave it out, as " + output +

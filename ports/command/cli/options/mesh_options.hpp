@@ -20,7 +20,7 @@ void add_format_option(CLI::App& app, std::string& format);
 
 /// Adds the format to the name of the output. Throws CLI::ValidationError if the output is a file,
 /// whose name already has an extension.
-void take_format(const std::string& format, std::string& output);
+void add_format_to_name(const std::string& format, std::string& output);
 
 /// Adds --normals. gradient: describes the source of gradients.
 void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient);

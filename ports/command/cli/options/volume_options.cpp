@@ -168,7 +168,7 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
   add_part_options(app, options);
 }
 
-void take_other_files(const CLI::App& app, VolumeOptions& options) {
+void add_other_files(const CLI::App& app, VolumeOptions& options) {
   const std::vector<std::string> others = app.remaining();
   if (!std::all_of(others.begin(), others.end(), [](const std::string& each) {
         return is_volume_name(each) && each.front() != '-';

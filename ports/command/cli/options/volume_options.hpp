@@ -18,7 +18,7 @@ void add_volume_options(CLI::App& app, VolumeOptions& options);
 /// Accepts the arguments behind a volume as further files of it, because a shell expands a pattern
 /// to them. Limit: in the callback of an app that allows extras. Throws CLI::ExtrasError if they
 /// are not volumes.
-void take_other_files(const CLI::App& app, VolumeOptions& options);
+void add_other_files(const CLI::App& app, VolumeOptions& options);
 
 /// Adds --iso, --range and --label. Commands accept one of them; extract accepts several.
 void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selections);

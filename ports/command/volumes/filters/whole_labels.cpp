@@ -31,7 +31,7 @@ class WholeLabels final : public VolumeFilter {
       auto* const label = static_cast<std::int64_t*>(samples);
       for (std::size_t i = 0; i < slice_.size() / sizeof(Sample); ++i)
         label[i] = i > 0 && sample[i] == sample[i - 1]
-                       ? again(label[i - 1])
+                       ? counted_again(label[i - 1])
                        : label_of(of.slope * static_cast<double>(sample[i]) + of.intercept);
     });
     end_slice();
@@ -44,7 +44,7 @@ class WholeLabels final : public VolumeFilter {
 
  private:
   // Returns the label again; neighbours mostly have one label.
-  std::int64_t again(std::int64_t label) {
+  std::int64_t counted_again(std::int64_t label) {
     if (was_rounded_) ++rounded_;
     return label;
   }

@@ -103,7 +103,7 @@ bool are_slices_of_series(const Stacks& stacks, const Places& places) {
 
 // Whether the stacks continue each other along one normal, for example if the slice distance
 // changes.
-bool lie_one_after_another(const Stacks& stacks, const Places& places) {
+bool are_consecutive(const Stacks& stacks, const Places& places) {
   std::vector<std::pair<double, double>> extents;
   for (const std::size_t place : places) {
     const DicomFrame& first = stacks[places[0]].frames[0];
@@ -133,7 +133,7 @@ bool have_one_position(const Stacks& stacks, const Places& places) {
     fail(source, "several volumes in one series" + differences(stacks, places),
          choose +
              (have_one_position(stacks, places) ? ", or read them as slices with --order instance"
-              : lie_one_after_another(stacks, places)
+              : are_consecutive(stacks, places)
                   ? ", or resample all to one distance of slices, e.g. in 3D Slicer"
                   : "") +
              list(stacks, places));

@@ -76,14 +76,14 @@ void require_possible(const DicomImage& image) {
          "export or copy the file again");
 }
 
-struct Found {
+struct FoundFrames {
   std::vector<DicomFrame> frames;
   std::vector<NoSlices> skipped;  ///< content of each file without slices
   bool is_directory = false;
 };
 
-Found find_frames(const std::vector<std::filesystem::path>& files) {
-  Found found;
+FoundFrames find_frames(const std::vector<std::filesystem::path>& files) {
+  FoundFrames found;
   for (const auto& file : files) {
     DicomContent content = dicom_content(file);
     found.is_directory = found.is_directory || content.is_directory;
@@ -95,7 +95,7 @@ Found find_frames(const std::vector<std::filesystem::path>& files) {
 }
 
 // Colour images beside grey ones are screenshots, unless the user asks for a channel.
-void choose_colours(Found& found, bool are_asked_for) {
+void choose_colours(FoundFrames& found, bool are_asked_for) {
   const auto is_asked_for = [&](const DicomFrame& frame) {
     return (frame.image->channels > 1) == are_asked_for;
   };
@@ -133,7 +133,7 @@ std::string list_of(const std::vector<NoSlices>& skipped) {
   return text;
 }
 
-[[noreturn]] void fail_empty(const std::filesystem::path& source, const Found& found,
+[[noreturn]] void fail_empty(const std::filesystem::path& source, const FoundFrames& found,
                              std::size_t files) {
   if (found.skipped.empty())
     fail(source, "there is no image beside the DICOMDIR", "copy the whole folder");
@@ -207,7 +207,7 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
     return unpacked_volume(source, name(*packing_of_name(*packed)), [&](const auto& folder) {
       return open_dicom(source, unpacked_files(source, files, folder), options, notes);
     });
-  Found found = find_frames(files);
+  FoundFrames found = find_frames(files);
   if (found.is_directory && files.size() == 1) {
     const auto folder = std::filesystem::absolute(files[0]).parent_path();
     const auto beside = dicom_files(folder);

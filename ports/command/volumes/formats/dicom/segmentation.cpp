@@ -166,17 +166,17 @@ Grid grid_of(const Path& source, VolumeInfo& info, const Frames& frames) {
     fail(source, "a segmentation of " + std::to_string(count) + " slices, most of them empty",
          "export it again");
   Grid grid{Slices(count), {}};
-  Frames one_each(places.size(), first);
+  Frames frame_at(places.size(), first);
   for (const DicomFrame& frame : frames) {
     const double along = dot(frame.place->position, normal);
     const auto place = static_cast<std::size_t>(
         std::upper_bound(places.begin(), places.end(), along) - 1 - places.begin());
     grid.slices[even.numbers[place]].push_back(&frame);
-    one_each[place] = frame;
+    frame_at[place] = frame;
   }
-  const Vector& lowest = one_each[0].place->position;
+  const Vector& lowest = frame_at[0].place->position;
   grid.line = {sum(lowest, even.first - dot(lowest, normal), normal),
-               slice_step(source, info, one_each, even)};
+               slice_step(source, info, frame_at, even)};
   return grid;
 }
 

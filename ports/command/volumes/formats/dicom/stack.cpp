@@ -41,7 +41,7 @@ std::vector<Frames> by_kind(const Frames& frames, bool merges_series) {
 }
 
 // Whether there are more than two frames, and all differ in a trait.
-bool is_of_its_own(const Frames& frames, std::size_t kind) {
+bool are_all_different(const Frames& frames, std::size_t kind) {
   std::set<std::string> values;
   for (const DicomFrame& frame : frames) values.insert(trait_of(frame.traits, kind));
   return values.size() > 2 && values.size() == frames.size();
@@ -52,7 +52,7 @@ template <class IsAsked>
 std::vector<Frames> by_traits(const Frames& frames, IsAsked is_asked) {
   std::vector<std::size_t> kinds;
   for (std::size_t kind = 0; kind < trait_count(); ++kind)
-    if (is_asked(kind) && !(is_uid(kind) && is_of_its_own(frames, kind))) kinds.push_back(kind);
+    if (is_asked(kind) && !(is_uid(kind) && are_all_different(frames, kind))) kinds.push_back(kind);
   std::map<std::vector<std::string>, Frames> groups;
   for (const DicomFrame& frame : frames) {
     std::vector<std::string> values;

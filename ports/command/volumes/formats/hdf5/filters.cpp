@@ -30,7 +30,7 @@ Unpacked room_for(std::size_t count) {
 }
 
 // Returns the number of bytes, or 0 after a failure, as HDF5 requires.
-std::size_t hand_over(const Unpacked& unpacked, std::size_t* room, void** buffer) {
+std::size_t return_unpacked(const Unpacked& unpacked, std::size_t* room, void** buffer) {
   if (unpacked.bytes == nullptr) return 0;
   H5free_memory(*buffer);
   *buffer = unpacked.bytes;
@@ -97,7 +97,7 @@ std::size_t unpack_lzf(unsigned flags, std::size_t, const unsigned*, std::size_t
         for (; more > 0; --more, ++out) *out = *(out - distance);
         return true;
       });
-  return hand_over(unpacked, room, buffer);
+  return return_unpacked(unpacked, room, buffer);
 }
 
 #ifdef DISCMC_WITH_BLOSC
@@ -110,7 +110,7 @@ std::size_t unpack_blosc(unsigned flags, std::size_t, const unsigned*, std::size
   constexpr int threads = 1;
   if (unpacked.bytes != nullptr &&
       blosc_decompress_ctx(*buffer, unpacked.bytes, count, threads) == static_cast<int>(count))
-    return hand_over(unpacked, room, buffer);
+    return return_unpacked(unpacked, room, buffer);
   H5free_memory(unpacked.bytes);
   return 0;
 }

@@ -68,22 +68,23 @@ void ZarrChunks::open_shard(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error) && !error) return;
   const std::uint64_t all = bytes_of(file);
-  std::uint64_t most = all / sizeof(Place), count = 1;
+  std::uint64_t most = all / sizeof(ChunkLocation), count = 1;
   for (const std::uint64_t chunks : array_.shard->chunks) {
     if (chunks > most) fail(file, "the shard is shorter than its index", "copy it again");
     most /= chunks;
     count *= chunks;
   }
   const std::vector<ZarrCodec> codecs(array_.shard->has_index_checksum ? 1 : 0, ZarrCodec::crc32c);
-  const std::uint64_t bytes = count * sizeof(Place) + 4 * codecs.size();
+  const std::uint64_t bytes = count * sizeof(ChunkLocation) + 4 * codecs.size();
   if (bytes > all) fail(file, "the shard is shorter than its index", "copy it again");
   const bool is_at_start = array_.shard->has_index_at_start;
   const ChunkBytes index =
       decoded(file, read_part(file, shard_, is_at_start ? 0 : all - bytes, bytes), codecs,
-              count * sizeof(Place));
+              count * sizeof(ChunkLocation));
   const std::uint64_t begin = is_at_start ? bytes : 0, end = begin + all - bytes;
   for (std::size_t i = 0; i < count; ++i) {
-    const Place place{whole_of(&index[16 * i], 8, false), whole_of(&index[16 * i + 8], 8, false)};
+    const ChunkLocation place{whole_of(&index[16 * i], 8, false),
+                              whole_of(&index[16 * i + 8], 8, false)};
     const bool is_there = place.offset != UINT64_MAX || place.bytes != UINT64_MAX;
     if (is_there && (place.offset < begin || place.bytes > end || place.offset > end - place.bytes))
       fail(file, "a chunk lies outside the shard", "copy it again");
@@ -104,7 +105,7 @@ std::optional<ChunkBytes> ZarrChunks::packed(const std::filesystem::path& file,
   std::size_t number = 0;
   for (std::size_t axis = 0; axis < chunk.size(); ++axis)
     number = number * array_.shard->chunks[axis] + chunk[axis] % array_.shard->chunks[axis];
-  const Place& place = places_[number];
+  const ChunkLocation& place = places_[number];
   if (place.offset == UINT64_MAX && place.bytes == UINT64_MAX) return std::nullopt;
   return read_part(file, shard_, place.offset, place.bytes);
 }

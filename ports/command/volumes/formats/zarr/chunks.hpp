@@ -24,7 +24,7 @@ class ZarrChunks {
 
  private:
   // The location of a chunk in a shard.
-  struct Place {
+  struct ChunkLocation {
     std::uint64_t offset, bytes;
   };
 
@@ -35,7 +35,7 @@ class ZarrChunks {
   ZarrDescription array_;
   std::filesystem::path shard_name_;
   std::ifstream shard_;
-  std::vector<Place> places_;
+  std::vector<ChunkLocation> places_;
 };
 
 }  // namespace discmc::command
