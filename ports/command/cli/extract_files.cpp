@@ -116,7 +116,7 @@ std::optional<FileMesh> MeshFiles::made_ahead(const SurfaceOutput& output) const
 MeshSummary MeshFiles::add(const SurfaceOutput& output, Made made) {
   MeshSummary summary =
       are_one_ ? keep(output, std::move(made)) : write_alone(output, std::move(made));
-  output.surface = {};  // its memory is the next mesh's
+  output.surface = {};  // frees memory for the next mesh
   return summary;
 }
 
@@ -151,7 +151,7 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, Made made, OutputFile&
   return summary;
 }
 
-// Whether the options and the format allow to write without a mesh in memory.
+// Whether the format and the options allow writing without a whole mesh in memory.
 bool MeshFiles::may_write_parts(const SurfaceOutput& output) const {
   const Format format = format_of(output.file);
   return output.crossings == nullptr && !arguments_.decimation.is_wanted() &&
@@ -159,7 +159,7 @@ bool MeshFiles::may_write_parts(const SurfaceOutput& output) const {
          (format == Format::stl || format == Format::ply);
 }
 
-// Without a mesh in memory, if that is possible.
+// Writes without a whole mesh in memory, if the file and the options allow this.
 std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
                                                   OutputFile& file) const {
   if (!may_write_parts(output) || !file.can_seek()) return std::nullopt;
@@ -196,7 +196,7 @@ void MeshFiles::finish() {
   if (!arguments_.is_quiet) print_file(arguments_.output, table_stream(arguments_.output));
 }
 
-// One, or one for each body.
+// Returns one mesh, or one mesh per body.
 std::vector<FileMesh> MeshFiles::meshes_of(const SurfaceOutput& output, Made made) const {
   std::vector<FileMesh> meshes;
   if (!arguments_.lists_bodies) {

@@ -42,12 +42,12 @@ class MeshFiles {
   /// selection as part of the name.
   std::vector<std::string> names_for(const std::vector<NamedSelection>& selections);
 
-  /// Makes the mesh of a surface for add(), unless that makes it while it writes. May be called by
-  /// several threads.
+  /// Makes the mesh of a surface for add(), unless add() makes it while it writes. Several threads
+  /// may call it.
   std::optional<FileMesh> made_ahead(const SurfaceOutput& output) const;
 
-  /// Writes the mesh of a surface, or keeps it for the file of all; the surface is then empty.
-  /// made: by made_ahead(), if it was called.
+  /// Writes the mesh of a surface, or keeps it for the common file. Empties the surface. made: by
+  /// made_ahead(), if it was called.
   MeshSummary add(const SurfaceOutput& output, std::optional<FileMesh> made = {});
 
   /// Writes the common file, if there is one, and prints its size.

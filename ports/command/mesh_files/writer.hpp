@@ -133,7 +133,7 @@ class Writer {
   static constexpr std::size_t full = std::size_t{1} << 16;
   static constexpr std::size_t items_per_part = std::size_t{1} << 14;
 
-  Writer() { buffer_.resize(full); }  // of a part: without a stream
+  Writer() { buffer_.resize(full); }  // for a part, without a stream
 
   void make_room(std::size_t count);
   void write_through(std::string_view bytes);

@@ -23,11 +23,11 @@ std::uint32_t& start_of(std::vector<Triangle>& triangles, std::uint32_t side) {
   return triangles[side / 3][side % 3];
 }
 
-// Whether the angles at c and d, over the edge from a to b, are more than half a turn together.
-// Exact up to 2^12 between points.
+// Whether the angles at c and d, opposite to the edge a b, exceed half a turn together. Exact for
+// distances up to 2^12.
 DISCMC_ALWAYS_INLINE bool is_flat_pair(const PlanePoint& a, const PlanePoint& b,
                                        const PlanePoint& c, const PlanePoint& d) {
-  constexpr double doubt = 1e-15;  // more than what rounding could make of it
+  constexpr double doubt = 1e-15;  // exceeds the rounding error
   const auto cosine = [&](const PlanePoint& apex) {
     return static_cast<double>((a.u - apex.u) * (b.u - apex.u) + (a.v - apex.v) * (b.v - apex.v));
   };

@@ -42,7 +42,7 @@ class DelaunayFlips {
   /// triangles: counter-clockwise, none with zero area. Neighbours share the numbers of both points
   /// of their edge.
   void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles);
-  /// The same if it is known of every side which is the other one between the same points. pairs:
+  /// Likewise, with the given twin of each side: the other side between its two points. pairs:
   /// unspecified afterwards.
   void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
                std::vector<Side>& pairs);
@@ -72,8 +72,8 @@ class DelaunayFlips {
     Side side;
   };
   std::vector<Ends> ends_;
-  std::vector<Side> twins_;  // of every side the other one between the same points
-  Array<Side> waiting_;      // to be looked at
+  std::vector<Side> twins_;  // per side: the other side between its points
+  Array<Side> waiting_;      // sides to check
   std::vector<std::uint32_t> changed_;
 };
 

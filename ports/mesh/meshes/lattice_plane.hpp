@@ -11,7 +11,7 @@
 
 namespace discmc::meshing {
 
-/// The coordinates of PlaneAxes, from an origin on.
+/// Coordinates by PlaneAxes, relative to an origin.
 class LatticePlane {
  public:
   /// origin: any vertex of the plane; its projection is (0, 0).

@@ -110,7 +110,7 @@ class OutlineTriangulator {
     return triangulator_.triangulate(points_, outline.ring_ends);
   }
 
-  // Belongs to the polygon that was triangulated last.
+  // Returns the plane of the last triangulated polygon.
   const LatticePlane& plane() const { return plane_; }
   const std::vector<PlanePoint>& points() const { return points_; }
 

@@ -6,7 +6,7 @@
 namespace discmc::meshing {
 namespace {
 
-// Ends a face of a polygon, whose corners were added.
+// Ends a face of a polygon after its corners were added.
 void end_face(std::uint32_t polygon, Incidence incidence, FaceMesh& mesh) {
   mesh.face_begin.push_back(mesh.corners.size());
   mesh.incidences.push_back(incidence);

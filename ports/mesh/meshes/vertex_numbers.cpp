@@ -24,7 +24,7 @@ void VertexNumbers::set_slots(std::size_t count) {
     slots_[slot_of(blocks_[place].origin)] = static_cast<std::uint32_t>(place);
 }
 
-// If the box around all corners has few blocks, gives each of them a slot of its own.
+// Gives each block in the box around all corners a slot of its own, if there are few of them.
 void VertexNumbers::lay_out(const Array<Vertex>& corners) {
   if (corners.empty()) return;
   Vertex low = corners[0], high = low;
@@ -37,7 +37,7 @@ void VertexNumbers::lay_out(const Array<Vertex>& corners) {
   };
   const std::uint64_t width = blocks_from(low.x, high.x), height = blocks_from(low.y, high.y),
                       depth = blocks_from(low.z, high.z);
-  // At most 2^29 times 2^29, then times 2^29 of what is not more than the corners.
+  // The first product is below 2^59. The second is made only if the first is small.
   const std::uint64_t max_blocks = corners.size();
   if (width * height > max_blocks || width * height * depth > max_blocks) return;
   steps_ = {1, width, width * height};
@@ -51,7 +51,7 @@ VertexNumbers::VertexNumbers(const Polygons& polygons) {
   for (const Polygon& polygon : polygons)
     for (const Vertex& corner : polygon.rings.corners())
       block_at(origin_of(corner)).bits[Block::row(corner)] |= Block::bit(corner);
-  // Three polygons or more meet in a corner. What is reserved and not used costs nothing.
+  // At least three polygons meet in a corner. Unused reserved memory costs nothing.
   positions_.reserve(polygons.corners().size() / 3);
   for (Block& each : blocks_) number_block(each);
 }

@@ -82,7 +82,7 @@ class VertexNumbers {
   }
 
   std::uint32_t find_block(const Vertex& origin) const { return slots_[slot_of(origin)]; }
-  // The slot of the block, occupied or free.
+  // Returns the slot of the block, occupied or free.
   std::size_t slot_of(const Vertex& origin) const {
     const auto part = [](std::int32_t coordinate, std::uint64_t step) {
       return (static_cast<std::uint32_t>(coordinate) >> 3) * step;
@@ -101,8 +101,8 @@ class VertexNumbers {
   void number_block(Block& block);
   void list_numbers(Block& block);
 
-  // Places of blocks, by a hash; half are free at least. The hash is a sum of coordinates times
-  // steps.
+  // Indexes of blocks, hashed; at least half are free. The hash is the sum of the coordinates of a
+  // block, times steps.
   std::vector<std::uint32_t> slots_{none};
   std::array<std::uint64_t, 3> steps_{0x9E3779B97F4A7C15u, 0xC2B2AE3D27D4EB4Fu,
                                       0x165667B19E3779F9u};

@@ -21,11 +21,11 @@ struct VolumeKeeping {
   /// Returns the surface around a voxel, given in half-steps like Crossings; none if it is outside
   /// all.
   std::function<std::size_t(const Vertex& voxel)> surface_of{};
-  double tolerance = 0;        ///< as MeshingOptions, of the meshes that enclose the volumes
-  double min_distance_mm = 0;  ///< how near to a voxel the surface comes
-  double max_shift_mm = 0;     ///< that a surface is moved
-  bool is_closed = true;       ///< otherwise nothing is moved to keep a volume
-  unsigned jobs = 1;           ///< how many threads make the meshes of surfaces
+  double tolerance = 0;        ///< as MeshingOptions, for meshes that enclose the volumes
+  double min_distance_mm = 0;  ///< least distance between the surface and a voxel
+  double max_shift_mm = 0;     ///< largest shift of a surface
+  bool is_closed = true;       ///< false: no surface moves to keep a volume
+  unsigned jobs = 1;           ///< number of threads that make the meshes of surfaces
   std::function<void()> check{};
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

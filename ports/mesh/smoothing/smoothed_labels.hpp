@@ -17,13 +17,13 @@ struct SmoothedLabel {
   CrossingFinder crossings;  ///< of the surface
 };
 
-/// As extract_labels(), each label smoothed as SmoothedVolume does it. Labels that meet share their
-/// surface, also where three meet, and keep_volumes() keeps the volume of each body. The mesh of a
-/// label does not depend on which others are chosen. progress: called with how many labels are
-/// done, and with their number; that of the options is called before, after every slice that is
-/// read. tolerance: as VolumeKeeping. Limit: takes no majority.
-/// Cost: memory of the volume, of the box of one label per job, and of the meshes of all labels.
-/// All labels are smoothed, chosen or not.
+/// Extracts labels as extract_labels() does, each smoothed like SmoothedVolume. Labels that meet
+/// share their surface, also where three meet, and keep_volumes() keeps the volume of each body.
+/// The mesh of a label does not depend on the choice of other labels. progress: called with the
+/// number of labels done, and of all. The progress function of the options is called before, after
+/// every slice read. tolerance: as VolumeKeeping. Limit: no majority filter. Cost: memory of the
+/// volume, of the box of one label per job, and of the meshes of all labels. All labels are
+/// smoothed, chosen or not.
 std::vector<SmoothedLabel> smoothed_labels(
     SliceReader& volume, const LabelOptions& options, double deviation_mm, double tolerance,
     const std::function<void(std::size_t done, std::size_t all)>& progress);

@@ -10,8 +10,8 @@
 
 namespace discmc::meshing {
 
-/// The coordinates of a plane, chosen and ordered so that counter-clockwise seen from the tip of
-/// the normal stays so. Leaving a coordinate out changes shapes but neither order nor sides.
+/// Two coordinates of a plane, ordered so that counter-clockwise, seen from the tip of the normal,
+/// stays counter-clockwise. The projection changes shapes, but neither order nor sides.
 struct PlaneAxes {
   std::int32_t Vertex::*u;
   std::int32_t Vertex::*v;
