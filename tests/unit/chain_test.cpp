@@ -1,10 +1,12 @@
 // Freeman chains: runs, closure, reversal and area, in integers.
 #include <discmc/chain.hpp>
 
+#include "incidences.hpp"
 #include "oracle/collector.hpp"
 #include "test.hpp"
 
 using namespace discmc;
+using test::for_each_incidence;
 
 namespace {
 
@@ -35,12 +37,6 @@ std::vector<Run> closed_chain(Incidence incidence, uint32_t seed) {
         Run::straight(static_cast<Direction>((run.direction() + count / 2) % count), run.length()));
   }
   return runs;
-}
-
-template <class Check>
-void for_each_incidence(Check check) {
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    if (incidence != no_incidence) check(incidence);
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 // exhaustion.
 #include <discmc/lattice.hpp>
 
+#include "incidences.hpp"
 #include "test.hpp"
 
 using namespace discmc;
+using test::for_each_incidence;
 
 namespace {
 
@@ -14,15 +16,6 @@ int squared_length(const Vertex& vector) {
 
 int odd_coordinates(const Vertex& vector) {
   return (vector.x % 2 != 0) + (vector.y % 2 != 0) + (vector.z % 2 != 0);
-}
-
-template <typename Check>
-void for_each_incidence(Check check) {
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
-    if (incidence == no_incidence) continue;
-    CAPTURE(int{incidence});
-    check(incidence);
-  }
 }
 
 }  // namespace

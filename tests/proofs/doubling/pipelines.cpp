@@ -1,4 +1,5 @@
 #include "proofs/doubling/pipelines.hpp"
+#include "oracle/scan.hpp"
 #include "oracle/slice_config.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 namespace discmc::doubling {
 
 using reference::BitVolume;
+using reference::require_ok;
 
 // A volume, and the number of vertices of its surface.
 struct Scanned {
@@ -47,10 +49,6 @@ class Running {
  private:
   Part before_;
 };
-
-void require_ok(Status status) {
-  if (status != Status::ok) throw std::runtime_error(to_string(status));
-}
 
 // A sink in front of a part: events are the work of this part and of the one before it. Only an
 // extractor follows each link.

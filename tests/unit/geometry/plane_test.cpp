@@ -1,19 +1,11 @@
 // Chains in their plane: where runs lead.
 #include <discmc/chain.hpp>
 
+#include "incidences.hpp"
 #include "test.hpp"
 
 using namespace discmc;
-
-namespace {
-
-template <class Visit>
-void for_each_incidence(Visit visit) {
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    if (is_incidence(incidence)) visit(incidence);
-}
-
-}  // namespace
+using test::for_each_incidence;
 
 TEST_CASE("a run ends where its links end, and coordinates wrap") {
   for_each_incidence([](Incidence incidence) {

@@ -3,19 +3,15 @@
 
 #include <stdexcept>
 
+#include "incidences.hpp"
 #include "oracle/stream.hpp"
 #include "test.hpp"
 
 using namespace discmc;
 using test::Chance;
+using test::for_each_incidence;
 
 namespace {
-
-template <class Visit>
-void for_each_incidence(Visit visit) {
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    if (is_incidence(incidence)) visit(incidence);
-}
 
 // A convex ring, once round through all directions.
 std::vector<Run> round_ring(Incidence incidence) {

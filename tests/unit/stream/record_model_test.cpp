@@ -2,12 +2,14 @@
 #include <discmc/stream/record_reading.hpp>
 #include <discmc/stream/record_writing.hpp>
 
+#include "incidences.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/symbol_rows.hpp"
 #include "oracle/table_statements.hpp"
 #include "test.hpp"
 
 using namespace discmc;
+using test::for_each_incidence;
 using namespace discmc::detail::stream;
 using test::Bytes;
 using test::Chance;
@@ -56,12 +58,6 @@ std::vector<int32_t> coordinates() {
     for (const int32_t sign : {1, -1})
       for (int32_t off = -1; off <= 1; ++off) values.push_back(sign * (int32_t{1} << bits) + off);
   return values;
-}
-
-template <class Visit>
-void for_each_incidence(Visit visit) {
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    if (incidence != no_incidence) visit(incidence);
 }
 
 bool is_odd(const Vertex& vertex) {
