@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mesh_files/mesh_reader.hpp"
+#include "volumes/formats/pictures/picture_file.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/volume_error.hpp"
 
@@ -41,6 +42,13 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
                                         const VolumeOptions& options) {
   static const auto reader = load<decltype(open_hdf5)>(DISCMC_MODULE_HDF5, name);
   return reader(name, options);
+}
+#endif
+
+#ifdef DISCMC_MODULE_TIFF
+std::unique_ptr<PictureFile> open_tiff(const std::filesystem::path& file) {
+  static const auto reader = load<decltype(open_tiff)>(DISCMC_MODULE_TIFF, file);
+  return reader(file);
 }
 #endif
 
