@@ -24,7 +24,7 @@ FaceMesh decimated(FaceMesh mesh, const Decimation& decimation) {
   return mesh;
 }
 
-// Smooth, and of many bodies, cavities and handles.
+// A smooth surface with many bodies, cavities and handles.
 Field cloud(Size size, std::uint32_t seed) {
   const Field rough = noise(size, seed);
   const auto end = [](double at, std::uint32_t extent, int step) {

@@ -91,7 +91,7 @@ TEST_CASE_FIXTURE(Folder, "a missing slice is found among rounded positions") {
   CHECK(open_volume(path(), with(&VolumeOptions::allow_gaps, true))->info().dims[2] == 10);
 }
 
-TEST_CASE("uneven positions of more digits are no rounded ones") {
+TEST_CASE("uneven positions with more decimals are refused, not treated as rounded") {
   check_refused(along_z({100, 100.6251, 101.2, 101.9, 102.5}).path(), "mm apart, but");
   check_refused(along_z({100, 101, 102.2, 103, 104}).path(), "1 mm apart, but 1.2 mm");
 }

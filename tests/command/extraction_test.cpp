@@ -89,7 +89,7 @@ TEST_CASE("the type of the samples makes no difference") {
   }
 }
 
-TEST_CASE("thresholds beyond the samples make everything on or everything off") {
+TEST_CASE("a threshold outside the range of samples selects all voxels or none") {
   const BitVolume volume = checkerboard({5, 5, 5});
   using Limits = std::numeric_limits<std::int32_t>;
   ExtractionOptions all = options(), none = options();

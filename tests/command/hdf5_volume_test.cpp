@@ -148,7 +148,7 @@ TEST_CASE("an array that cannot be unpacked or has scales of its own is refused 
   check_refused(files / "hdf5_arrays/minc.h5", "mnc2nii");
 }
 
-// Where Python has the two modules: on Debian python3-hdf5plugin and hdf5-filter-plugin.
+// Skipped unless Python has both modules; on Debian python3-hdf5plugin and hdf5-filter-plugin.
 TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that it is read") {
   const command_tests::Workshop workshop;
   if (workshop.shell("/usr/bin/python3 -c 'import h5py, hdf5plugin'").code != 0) {
@@ -243,7 +243,7 @@ TEST_CASE_FIXTURE(
       noted(reader->info(), "links that lead nowhere: /entry/data/data_000001 to data_000001.h5"));
 }
 
-TEST_CASE("axes that ilastik names are those") {
+TEST_CASE("the axis names in attributes of ilastik determine x, y and z") {
   const fs::path file = files / "hdf5_arrays/ilastik.h5";
   check_volume(file, SampleType::u8, "HDF5, /exported_data, raw");
   CHECK_FALSE(noted(open_volume(file)->info(), "dropped"));
@@ -399,7 +399,7 @@ TEST_CASE("the library prints no errors of its own, in any thread") {
   }).join();
 }
 
-TEST_CASE("slices that are skipped are not those that are read") {
+TEST_CASE("reading continues at the right slice after a skip") {
   for (const std::string name : {"i16-big-gzip.h5", "i16-little.h5"}) {
     const auto reader = open_volume(files / "hdf5" / name);
     reader->skip_slice();

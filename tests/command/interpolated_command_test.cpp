@@ -132,8 +132,8 @@ TEST_CASE_FIXTURE(Ball, "the normals of an interpolated ball are its radii") {
   }
 }
 
-TEST_CASE_FIXTURE(
-    Ball, "an interpolated surface is of triangles without T-junctions, in a mesh, of no label") {
+TEST_CASE_FIXTURE(Ball,
+                  "--surface interpolated refuses polygons, T-junctions, streams and labels") {
   done(extract + "--wire slices -o s.dmc");
   const std::string interpolated = extract + "--surface interpolated ";
   fails(interpolated + "-o v.dmc", 2, {"--surface", "v.dmc"});

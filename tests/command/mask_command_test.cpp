@@ -126,8 +126,8 @@ TEST_CASE_FIXTURE(Workshop, "filters do not fill voxels outside the mask") {
   CHECK(lines("--mask m.nrrd") == lines("") + of_voxel);
 }
 
-TEST_CASE_FIXTURE(
-    Workshop, "an interpolated surface is flat where the mask ends, and where it was otherwise") {
+TEST_CASE_FIXTURE(Workshop,
+                  "a mask changes an interpolated surface only at its border, where it is flat") {
   std::string samples, mask;
   for (const int sample : sampled_field::ball(14, 5.3).samples)
     samples += static_cast<char>(sample);

@@ -132,7 +132,7 @@ TEST_CASE("parts of a slab cover its slices alone") {
   CHECK(parts.back().end == 80);
 }
 
-TEST_CASE("the regions of parts are those of one sweep, in an order without regard to jobs") {
+TEST_CASE("parts yield the regions of one sweep, in an order independent of --jobs") {
   for (const BitVolume& volume : tall_volumes())
     for (const Border border : {Border::closed, Border::open}) {
       check_same_surface(volume, options_with(border));
@@ -216,7 +216,7 @@ TEST_CASE("meshes of labels, and what is printed, do not depend on the number of
   }
 }
 
-TEST_CASE("packets of parts are the regions of one sweep, in an order without regard to jobs") {
+TEST_CASE("packets of parts hold the regions of one sweep, in an order independent of --jobs") {
   for (const BitVolume& volume : tall_volumes()) {
     ExtractionOptions options = options_with(Border::closed);
     const auto whole = regions_of(extracted(volume, options).surface);

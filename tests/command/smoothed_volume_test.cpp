@@ -403,7 +403,7 @@ TEST_CASE(
 
 // Labels lose volume along the lines in which three meet. Rounds of one after another would not
 // bring enough from the outside to the middle.
-TEST_CASE("labels that fill a ball share what they lack") {
+TEST_CASE("touching labels in a ball lack equal shares of the volume they cannot keep") {
   const int extent = 72, block = 6;
   std::vector<int> samples;
   for (int z = 0; z < extent; ++z)
@@ -425,7 +425,7 @@ TEST_CASE("labels that fill a ball share what they lack") {
   CHECK(farthest < 0.015);
 }
 
-TEST_CASE("labels that fill the volume to its corners lack the same share of their volumes") {
+TEST_CASE("labels that fill the volume to its corners each lack an equal share of their volumes") {
   std::vector<int> samples;
   for (int i = 0; i < 24 * 20 * 20; ++i) samples.push_back(i % 24 < 4 && i / 24 % 20 < 4 ? 1 : 2);
   SampleReader reader({24, 20, 20}, samples);

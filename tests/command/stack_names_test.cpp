@@ -83,7 +83,7 @@ TEST_CASE("if no pattern selects a stack, the refusal advises a folder of its ow
                 "copy the pictures of one stack into a folder of their own");
 }
 
-TEST_CASE("numbers that count together, or that change at times, are one stack") {
+TEST_CASE("names with a second number that varies with the first form one stack") {
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"img_001_20210101.png", "img_002_20210102.png",
                                  "img_003_20210105.png"},

@@ -122,7 +122,7 @@ TEST_CASE("a side has two corners, for any number of runs and any start of the r
         Corners{{5, 4, 0}, {-1, 4, 0}, {-1, 0, 0}, {5, 0, 0}});
 }
 
-TEST_CASE("a ring that turns to the left alone but goes round twice is no polygon of its own") {
+TEST_CASE("a ring that winds twice is not kept as one polygon, even without a right turn") {
   std::vector<Run> twice = rectangle();
   for (const Run& run : rectangle()) twice.push_back(run);
   const SurfaceBuilder builder = build(region({twice}));
@@ -163,7 +163,7 @@ TEST_CASE("regions accepted whole become the polygons of their events") {
   struct Whole {
     SurfaceBuilder builder{};
     SinkResult accept(const Event& event) { return builder.accept(event); }
-    SinkResult accept_region(const WholeRegion& region) {
+    SinkResult accept_region(const OneRingRegion& region) {
       builder.accept_region(region);
       return SinkResult::accepted;
     }

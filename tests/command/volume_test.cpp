@@ -431,7 +431,7 @@ TEST_CASE_FIXTURE(Folder, "a file of no known format, a folder and a missing fil
   check_refused(path() / "folder.nrrd", "holds no DICOM files and no pictures");
 }
 
-TEST_CASE("the stored threshold is reached exactly where the value reaches iso") {
+TEST_CASE("a stored sample reaches the stored threshold exactly if its value reaches iso") {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto threshold = [](double slope, double intercept, double iso) {
     VolumeInfo info;

@@ -228,7 +228,7 @@ TEST_CASE_FIXTURE(ZarrFolder,
   check_refused(group, "the coordinates of the axis 'z' are uneven, from 2 to 16");
 }
 
-TEST_CASE("slices are skipped, and read from the middle of chunks on") {
+TEST_CASE("reading continues in the middle of a chunk after a skip") {
   const auto reader = open_volume(files / "i16-big-chunks.zarr");
   reader->skip_slice();
   std::int16_t slice[15];

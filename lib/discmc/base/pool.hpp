@@ -76,7 +76,7 @@ class SlotAccount {
     return index;
   }
 
-  void give(Index index, uint32_t slot_bytes) {
+  void release(Index index, uint32_t slot_bytes) {
     DISCMC_LIMIT(has(index) && available_ < capacity_);
     next(index, slot_bytes) = free_;
     free_ = index;
@@ -103,7 +103,7 @@ class SlotAccount {
 
 /// Slots with an index, from 1 on. The index of a slot depends only on the order of the calls.
 /// Slot: trivial, begins with an Index. Owner: the slots lie in the arena. Cost of allocate() and
-/// give(): a few instructions.
+/// release(): a few instructions.
 template <class Slot, class Index>
 class Pool : public SlotAccount<Index> {
  public:
@@ -128,7 +128,7 @@ class Pool : public SlotAccount<Index> {
     return SlotAccount<Index>::allocate_fresh(count, sizeof(Slot));
   }
   /// Frees a slot. Limit: it is in use.
-  void give(Index index) { SlotAccount<Index>::give(index, sizeof(Slot)); }
+  void release(Index index) { SlotAccount<Index>::release(index, sizeof(Slot)); }
 
   /// Lets the caller access free slots, too, until they are allocated and freed again: checks.hpp.
   DISCMC_ALWAYS_INLINE void unpoison_free() {

@@ -31,10 +31,10 @@ uint32_t HeldChains::add(Incidence incidence, const Vertex& start, Direction inc
   return chain;
 }
 
-void HeldChains::give(uint32_t chain) {
+void HeldChains::release(uint32_t chain) {
   while (chains_[chain].first_run != no_run) drop_first_run(chain);
   chains_[chain].state = HeldChain::State::unused;
-  chains_.give(chain);
+  chains_.release(chain);
 }
 
 bool HeldChains::append(uint32_t index, Run run, OctahedralNormal normal) {
@@ -68,7 +68,7 @@ void HeldChains::join(uint32_t index, uint32_t other_index) {
     chain.last_run = other.last_run;
     other.first_run = no_run;
   }
-  give(other_index);
+  release(other_index);
 }
 
 void HeldChains::close(uint32_t index) {
@@ -88,7 +88,7 @@ void HeldChains::drop_first_run(uint32_t index) {
   HeldChain& chain = chains_[index];
   const uint32_t dropped = chain.first_run;
   chain.first_run = runs_[dropped].next;
-  runs_.give(dropped);
+  runs_.release(dropped);
 }
 
 WaitingKey HeldChains::start_key(uint32_t index) const {

@@ -84,7 +84,7 @@ class HeldChains {
   uint32_t add(Incidence incidence, const Vertex& start, Direction incoming);
 
   /// Frees a chain and its runs. Cost: its runs.
-  void give(uint32_t chain);
+  void release(uint32_t chain);
 
   /// Appends a run to a chain. False if there is no room; then nothing has changed.
   bool append(uint32_t index, Run run, OctahedralNormal normal);

@@ -189,7 +189,7 @@ void Joiner::place_fragment() {
 }
 
 void Joiner::forget_fragment() {
-  if (arriving_ != detail::join::no_chain) chains().give(arriving_);
+  if (arriving_ != detail::join::no_chain) chains().release(arriving_);
   arriving_ = detail::join::no_chain;
   fate_ = Fate::none;
 }
@@ -257,7 +257,7 @@ void Joiner::select_next() {
 // Ends a chain after its last run.
 void Joiner::end_chain() {
   const bool is_outer = !chains()[delivered_].is_hole();
-  chains().give(delivered_);
+  chains().release(delivered_);
   switch (outlet_) {
     case Outlet::loose:
       next_kind_ = Event::Kind::fragment_end;
@@ -296,7 +296,7 @@ void Joiner::begin_loose(uint32_t chain) {
   if (passes_loose())
     begin_delivery(Outlet::loose, Event::Kind::fragment, chain);
   else
-    chains().give(chain);
+    chains().release(chain);
 }
 
 void Joiner::deliver_all_loose() {

@@ -22,11 +22,11 @@ enum class RecordKind : uint8_t {
   holed,      ///< of several rings
   forwards,   ///< a loose fragment, coded from its start
   backwards,  ///< a loose fragment, coded from its end
-  layer,
-  part,  ///< of a region or fragment
-  end,   ///< of the packet
-  skipped,
-  extension
+  layer,      ///< a mark: regions are complete up to a slice
+  part,       ///< of a region or fragment
+  end,        ///< of the packet
+  skipped,    ///< a mark: rows without samples
+  extension   ///< contents that a decoder may skip
 };
 
 // Differences wrap, so any 32-bit coordinates can be coded. Units: voxels, of 31 bits.

@@ -6,7 +6,7 @@
 //   hole         none yet: it waits in Holes for the ring around it
 //
 // A ring is a hole if it turns right at its last vertex in the order z, y, x, where its events
-// begin. If too many holes wait, it goes out as a fragment. settle() offers one event to the sink.
+// begin. If too many holes wait, it goes out as a fragment. deliver() offers one event to the sink.
 // When the sink has accepted it, select_next() selects the next one. So a busy sink may suspend the
 // delivery before any event.
 #ifndef DISCMC_TRACE_DELIVERY_HPP
@@ -39,13 +39,13 @@ class Delivery {
   }
 
   /// Delivers what is outgoing, if anything. Returns false if the sink is busy: call again.
-  bool settle(Chains& chains, const Sink& sink, Statistics& statistics);
+  bool deliver(Chains& chains, const Sink& sink, Statistics& statistics);
 
   /// Delivers holes that still wait as loose fragments, after the last vertex. Returns like
-  /// settle().
-  bool settle_holes(Chains& chains, const Sink& sink, Statistics& statistics);
+  /// deliver().
+  bool deliver_remaining_holes(Chains& chains, const Sink& sink, Statistics& statistics);
 
-  /// The steps of settle(): begin() selects the first event of what is outgoing, select_next() the
+  /// The steps of deliver(): begin() selects the first event of what is outgoing, select_next() the
   /// event after the one that the sink has accepted. Public for the extractor for PCs, which
   /// continues here after a sink was busy.
   void begin(Chains& chains);
@@ -78,8 +78,8 @@ class Delivery {
 // ---- implementation ----
 
 template <class Index, class Normal, bool holes_wait>
-bool Delivery<Index, Normal, holes_wait>::settle(Chains& chains, const Sink& sink,
-                                                 Statistics& statistics) {
+bool Delivery<Index, Normal, holes_wait>::deliver(Chains& chains, const Sink& sink,
+                                                  Statistics& statistics) {
   if (!is_delivering_ && chains.has_outgoing()) begin(chains);
   while (is_delivering_) {
     if (sink.accept(sink.context, event_) != SinkResult::accepted) return false;
@@ -89,8 +89,8 @@ bool Delivery<Index, Normal, holes_wait>::settle(Chains& chains, const Sink& sin
 }
 
 template <class Index, class Normal, bool holes_wait>
-bool Delivery<Index, Normal, holes_wait>::settle_holes(Chains& chains, const Sink& sink,
-                                                       Statistics& statistics) {
+bool Delivery<Index, Normal, holes_wait>::deliver_remaining_holes(Chains& chains, const Sink& sink,
+                                                                  Statistics& statistics) {
   while (is_delivering_ || (holes_wait && holes_.count() > 0)) {
     if (holes_wait && !is_delivering_) {
       Out& out = chains.outgoing();
@@ -99,7 +99,7 @@ bool Delivery<Index, Normal, holes_wait>::settle_holes(Chains& chains, const Sin
       holes_due_ = holes_.mark(chains.slots(), out);
       begin_next_loose(chains);
     }
-    if (!settle(chains, sink, statistics)) return false;
+    if (!deliver(chains, sink, statistics)) return false;
   }
   return true;
 }
@@ -219,7 +219,7 @@ DISCMC_NOINLINE void Delivery<Index, Normal, holes_wait>::select_next(Chains& ch
     case Event::Kind::run:
       statistics.links += event_.run.length();
       if (cursor_ != first_) return next_run(slots);
-      RunLists<Index, Normal>::give(slots, last_);
+      RunLists<Index, Normal>::release(slots, last_);
       if (is_fragment_) {
         event_.kind = Event::Kind::fragment_end;
         break;

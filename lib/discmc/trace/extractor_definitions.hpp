@@ -348,7 +348,7 @@ bool BasicExtractor<Index, Intake, Sweep>::end_slice() {
 
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::end_scan() {
-  if (!sweep_.settle_holes(sink_, statistics_)) return false;
+  if (!sweep_.deliver_remaining_holes(sink_, statistics_)) return false;
   if (!send(Event::Kind::finish)) return false;
   state_ = State::finished;
   unpoison(memory_.data, memory_.bytes);

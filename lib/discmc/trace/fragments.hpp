@@ -152,8 +152,8 @@ class Fragments {
   /// Returns the outgoing chain. After delivery, the caller sets its kind to none.
   Outgoing<Index>& outgoing() { return outgoing_; }
   /// Makes runs outgoing that begin at `start`.
-  void put_out(typename Outgoing<Index>::Kind kind, Incidence incidence, Index last,
-               const Vertex& start) {
+  void set_outgoing(typename Outgoing<Index>::Kind kind, Incidence incidence, Index last,
+                    const Vertex& start) {
     outgoing_.kind = kind;
     outgoing_.incidence = incidence;
     outgoing_.last = last;
@@ -216,7 +216,7 @@ class Fragments {
   void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  Slots slots_;                   // first, because its address is then at hand
+  Slots slots_;                   // first, so its address is that of this object: less code
   uint32_t kept_for_slice_ = 0;   // slots that ends waiting for the next slice must not use
   uint32_t enough_for_ends_ = 0;  // while this many are free, no end is lost
   Outgoing<Index> outgoing_;
@@ -332,7 +332,7 @@ void Fragments<Index, Normal>::cut_begin(const Pass& pass, Index begin, Link inc
                                          const Vertex& vertex) {
   const Index tail = end(begin).mate;
   const Index list = runs_of(begin);
-  slots_.give(begin);
+  slots_.release(begin);
   const Index loose = loose_end<Index>(direction(pass, incoming));
   if (list != no_slot && (is_loose(tail) || should_send(list)))
     return send(pass, loose, tail, list, vertex);
@@ -385,7 +385,7 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
   turn(tail, along, place_of(at), {}, {});
   const Index begin = end(tail).mate;
   const Index list = end(tail).last;
-  slots_.give(tail);
+  slots_.release(tail);
   if (!is_loose(begin) && !should_send(list)) return connect(begin, loose_end<Index>(), list);
   move_to_begin(at, pass.incidence, list);
   send(pass, begin, loose_end<Index>(), list, at);
@@ -412,15 +412,15 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::join(const Pass& pass, const
     Lists::append(slots_, before.last, run);
   const Index list = before.last;
   const Index list_after = runs_after;
-  slots_.give(tail);
-  slots_.give(begin);
+  slots_.release(tail);
+  slots_.release(begin);
   const bool is_loose_piece = is_loose(first_end) && is_loose(last_end);
   if (!is_closed && !is_loose_piece && !should_send(list, list_after))
     return connect(first_end, last_end, Lists::concatenate(slots_, list, list_after));
   Vertex corner = last_corner(pass, vertex);
   translate(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
   if (is_closed) {
-    put_out(Outgoing<Index>::Kind::ring, pass.incidence, list, corner);
+    set_outgoing(Outgoing<Index>::Kind::ring, pass.incidence, list, corner);
     return;
   }
   if (is_prepended)
@@ -521,7 +521,7 @@ void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, I
                                     const Vertex& start) {
   const Direction incoming =
       is_loose(begin) ? static_cast<Direction>(begin & 7) : end(begin).side.direction();
-  put_out(Outgoing<Index>::Kind::fragment, pass.incidence, list, start);
+  set_outgoing(Outgoing<Index>::Kind::fragment, pass.incidence, list, start);
   outgoing_.incoming = incoming;
   const Direction last = direction_of(Lists::last_run(slots_, list));
   connect(begin, loose_end<Index>(), no_slot);

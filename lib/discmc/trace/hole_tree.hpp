@@ -62,8 +62,8 @@ class Holes<uint32_t, Normal> {
     const Hole<uint32_t>& hole = slots[index].hole;
     last = hole.last;
     start = slots[hole.start].hole_start.get();
-    slots.give(hole.start);
-    slots.give(index);
+    slots.release(hole.start);
+    slots.release(index);
     --count_;
   }
 

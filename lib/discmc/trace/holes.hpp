@@ -138,8 +138,8 @@ void Holes<Index, Normal>::remove(Slots& slots, Index& last, Vertex& start) {
   *link = hole.next;
   last = hole.last;
   start = slots[hole.start].hole_start.get();
-  slots.give(hole.start);
-  slots.give(index);
+  slots.release(hole.start);
+  slots.release(index);
   --count_;
 }
 

@@ -140,7 +140,7 @@ class Queues {
     set_lost(end, lost_of(end) - 1);
     if (lost_of(end) == 0) {
       queue.head = end.next;
-      slots.give(lost);
+      slots.release(lost);
     }
     return no_slot;
   }

@@ -37,10 +37,10 @@ struct RunLists {
   }
 
   /// Frees all slots of a list. Limit: not empty. Cost: a step per slot.
-  static void give(Slots& slots, Index last) {
+  static void release(Slots& slots, Index last) {
     for (Index index = slots[last].linked.next;;) {
       const Index next = slots[index].linked.next;
-      slots.give(index);
+      slots.release(index);
       if (index == last) return;
       index = next;
     }

@@ -43,8 +43,8 @@ class Sweep {
 
   /// Delivers holes that still wait as loose fragments, after the last vertex. Returns like
   /// sweep().
-  bool settle_holes(const Sink& sink, Statistics& statistics) {
-    return delivery_.settle_holes(fragments_, sink, statistics);
+  bool deliver_remaining_holes(const Sink& sink, Statistics& statistics) {
+    return delivery_.deliver_remaining_holes(fragments_, sink, statistics);
   }
 
  protected:
@@ -80,7 +80,7 @@ template <class Index, class Normal, bool lean>
 template <class Intake>
 bool Sweep<Index, Normal, lean>::process_passes(const SweptRow& row, const Intake& intake,
                                                 const Sink& sink, Statistics& statistics) {
-  if (!delivery_.settle(fragments_, sink, statistics)) return false;
+  if (!delivery_.deliver(fragments_, sink, statistics)) return false;
   do {
     while (passes_.has_next()) {
       const Pass& pass = passes_.pass();
@@ -90,7 +90,7 @@ bool Sweep<Index, Normal, lean>::process_passes(const SweptRow& row, const Intak
         fragments_.process(pass, vertex, intake);
       else
         fragments_.cut_at(pass, vertex, !chains_are_ended_);
-      if (fragments_.has_outgoing() && !delivery_.settle(fragments_, sink, statistics))
+      if (fragments_.has_outgoing() && !delivery_.deliver(fragments_, sink, statistics))
         return false;
     }
   } while (passes_.find<is_lean>(row, counts_));

@@ -66,7 +66,7 @@ void refuse_other_kinds(const std::string& path) {
     throw std::runtime_error(
         path + ": this is a volume, not a stream; give it to discmc extract, info or render");
   if (is_mesh_name(path))
-    throw std::runtime_error(path + ": this is a mesh, not a stream; " + who_takes_meshes);
+    throw std::runtime_error(path + ": this is a mesh, not a stream; " + commands_for_meshes);
 }
 
 // Opens a file; standard input is opened elsewhere.

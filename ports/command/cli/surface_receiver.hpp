@@ -58,7 +58,7 @@ class SurfaceReceiver {
   }
 
   /// Accepts a region in place of its events, unless they must be encoded.
-  SinkResult accept_region(const WholeRegion& region) {
+  SinkResult accept_region(const OneRingRegion& region) {
     if (encodes_ || !builds_) return SinkResult::busy;
     return surface_.accept_region(region);
   }

@@ -56,7 +56,7 @@ bool is_stream_name(const std::filesystem::path& file);
 bool is_mesh_name(const std::filesystem::path& file);
 
 /// The end of the message if a mesh is given to another command.
-constexpr const char* who_takes_meshes =
+constexpr const char* commands_for_meshes =
     "only discmc compare, render and view read meshes: .stl, .ply, .obj, .glb or .3mf";
 
 }  // namespace discmc::command

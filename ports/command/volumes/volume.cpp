@@ -103,7 +103,7 @@ void require_headerless_name(const std::filesystem::path& file) {
     fail(file, "this is a stream, not a volume", "give it to discmc decode, info or render");
   if (is_mesh_name(file))
     fail(file, "this is a mesh, not a volume",
-         std::string("give the volume that the mesh was made of; ") + who_takes_meshes);
+         std::string("give the volume that the mesh was made of; ") + commands_for_meshes);
   fail(file, "the format is unknown",
        "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims "
        "and --type");

@@ -181,8 +181,8 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
         "relaxed labels would not share their walls: ask for smoothing in place of relaxation");
   if (options.normals == Normals::gradient || (options.interpolates && options.smoothing == 0))
     throw std::invalid_argument(
-        "there is nothing between labels: ask for surface normals, and for smoothing in place of "
-        "interpolation");
+        "labels cannot be combined with gradient normals or interpolation; use surface normals and "
+        "smoothing");
   const AxisOrder order = axis_order(samples);
   const SweepPlace place = sweep_place(options, order);
   ArrayReader array(samples, order, place.spacing);

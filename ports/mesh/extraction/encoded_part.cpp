@@ -33,7 +33,7 @@ SinkResult EncodedPart::accept(const Event& event) {
   return encoder_.accept(event);
 }
 
-void EncodedPart::accept_region(const WholeRegion& region) {
+void EncodedPart::accept_region(const OneRingRegion& region) {
   send_events(region, [this](const Event& event) { return accept(event) == SinkResult::accepted; });
 }
 

@@ -8,7 +8,7 @@
 
 #include <discmc/encoder.hpp>
 
-#include "host/whole_region.hpp"
+#include "host/one_ring_region.hpp"
 
 namespace discmc::meshing {
 
@@ -22,7 +22,7 @@ class EncodedPart {
   /// Accepts the start of a scan, then regions. Always accepts the event.
   SinkResult accept(const Event& event);
   /// Likewise accepts a whole region.
-  void accept_region(const WholeRegion& region);
+  void accept_region(const OneRingRegion& region);
 
   /// Appends all packets to an encoder. Call it once, after the last region. encoder: started; its
   /// output must accept everything.

@@ -1,4 +1,4 @@
-// Extractors with the memory that they take.
+// Extractors with memory of their own.
 #ifndef DISCMC_MESH_EXTRACTION_EXTRACTORS_HPP
 #define DISCMC_MESH_EXTRACTION_EXTRACTORS_HPP
 
@@ -24,20 +24,20 @@
 
 namespace discmc::meshing {
 
-/// The memory of one extractor, and what fits in it.
+/// The memory of one extractor, and its capacities.
 struct ArenaSize {
   bool has_narrow_indices;
   std::uint64_t bytes;
   Capacities capacities;
 };
 
-/// For a scan on a host.
+/// Returns the memory of a scan on a PC.
 inline ArenaSize generous_arena(const Limits& limits) {
   const std::uint64_t bytes = generous_bytes_for(limits);
   return {false, bytes, Extractor32::default_capacities(limits, bytes)};
 }
 
-/// The samples that an extractor takes, where it takes any beside bits.
+/// The type of samples of an extractor; void if it only accepts bits.
 template <class AnyExtractor>
 struct SampleOf {
   using Type = void;
@@ -49,18 +49,18 @@ struct SampleOf<NormalExtractor<Index, Sample>> {
 template <class AnyExtractor>
 constexpr bool holds_samples = !std::is_void_v<typename SampleOf<AnyExtractor>::Type>;
 
-/// Memory without first values: pages that are never written take none of the machine.
+/// Returns uninitialised memory, whose unused pages cost nothing.
 inline std::unique_ptr<std::uint8_t[]> uninitialised(std::uint64_t bytes) {
   return std::unique_ptr<std::uint8_t[]>(new std::uint8_t[bytes]);
 }
 
-/// A slice as it is read, and the rows of its mask, if it has one.
+/// A slice of samples, and the rows of its mask, if there is one.
 struct SliceToExtract {
   const std::uint8_t* samples;
   const std::uint8_t* mask_rows;
 };
 
-/// The extractors of all surfaces, in memory of their own.
+/// The extractors of all surfaces, with their memory.
 template <class AnyExtractor>
 class Extractors {
  public:
@@ -68,8 +68,8 @@ class Extractors {
     for (std::size_t i = 0; i < surfaces; ++i) memory_.push_back(uninitialised(arena.bytes));
   }
 
-  /// Extracts as many surfaces of a volume. limits: with the slab that the spans are of.
-  /// next_slice(): returns a SliceToExtract of each slice in spans.read.
+  /// Extracts the surfaces of a volume. limits: with the slab of the spans. next_slice(): returns a
+  /// SliceToExtract for each slice in spans.read.
   template <class NextSlice>
   std::vector<Extraction> extract(const SampleGrid& info, const Limits& limits,
                                   const SlabSpans& spans, const SurfaceOptions& options,
@@ -104,11 +104,10 @@ class Extractors {
 
   const ArenaSize& arena() const { return arena_; }
 
-  /// Whether memory sufficed, so that no fragment was sent early; when in doubt false. Limit: a
-  /// sink that takes fragments.
+  /// Whether memory surely sufficed, so that no fragment was sent early. Limit: a sink that accepts
+  /// fragments.
   bool had_enough_memory() const {
-    // The reserve is more than any extractor withholds. Without nodes, other pieces go out at
-    // seams.
+    // The reserve exceeds what any extractor withholds. Without nodes, other pieces leave at seams.
     constexpr std::uint64_t reserve = 4096;
     if (std::is_same_v<AnyExtractor, HostExtractor> &&
         arena_.capacities.slots < host::Chains::min_slots)
@@ -167,7 +166,7 @@ inline Limits limits_of(const SampleGrid& info, const SurfaceOptions& options) {
   return limits;
 }
 
-/// Reads the volume, and its mask, to the end of the slab.
+/// Reads the volume and its mask up to the end of the slab, and extracts the surfaces.
 template <class AnyExtractor>
 std::vector<Extraction> extract_by(SliceReader& volume, const Limits& limits,
                                    const SurfaceOptions& options, const ArenaSize& arena,

@@ -21,8 +21,8 @@ class MovedSurface {
     moved.start = event.start + by_;
     return surface_.accept(moved);
   }
-  SinkResult accept_region(const WholeRegion& region) {
-    WholeRegion moved = region;
+  SinkResult accept_region(const OneRingRegion& region) {
+    OneRingRegion moved = region;
     moved.move(by_);
     return surface_.accept_region(moved);
   }

@@ -44,13 +44,13 @@ class PartSurface {
     }
     if (event.kind == Event::Kind::ring && region_) begin_region(event.start);
     if (destination_ == Destination::joined) follow_fragment(event);
-    const SinkResult answer = give(event);
+    const SinkResult answer = forward(event);
     if (event.kind == Event::Kind::region_end) destination_ = Destination::joined;
     return answer;
   }
 
   // Accepts a whole region.
-  SinkResult accept_region(const WholeRegion& region) {
+  SinkResult accept_region(const OneRingRegion& region) {
     if (has_loose_rings(region.incidence(), region.start())) return SinkResult::busy;
     if (packets_) packets_->accept_region(region);
     if (polygons_) polygons_->accept_region(region);
@@ -80,7 +80,7 @@ class PartSurface {
     const Event region = *std::exchange(region_, std::nullopt);
     destination_ =
         has_loose_rings(region.incidence, vertex) ? Destination::joined : Destination::whole;
-    give(region);
+    forward(region);
   }
 
   // Records the planes of loose rings, which end where and in the direction in which they start.
@@ -98,7 +98,7 @@ class PartSurface {
     }
   }
 
-  SinkResult give(const Event& event) {
+  SinkResult forward(const Event& event) {
     if (destination_ == Destination::joined) return joined_.accept(event);
     if (polygons_) polygons_->accept(event);
     if (packets_) packets_->accept(event);
@@ -201,7 +201,7 @@ class IdleExtractors {
     idle_.pop_back();
     return extractors;
   }
-  void give(std::unique_ptr<PartExtractors> extractors) {
+  void release(std::unique_ptr<PartExtractors> extractors) {
     const std::lock_guard<std::mutex> lock(mutex_);
     idle_.push_back(std::move(extractors));
   }
@@ -251,7 +251,7 @@ class PartExtraction {
       if (extractors->had_enough_memory()) break;
       extractors = new_extractors(4 * extractors->arena().bytes);
     }
-    idle_.give(std::move(extractors));
+    idle_.release(std::move(extractors));
   }
 
   std::unique_ptr<PartExtractors> new_extractors(std::uint64_t arena_bytes) const {

@@ -56,7 +56,7 @@ struct Extraction {
   bool is_full = false;             ///< whether every voxel is on
   bool is_of_slab = false;          ///< whether there may be loose fragments
   std::optional<MemoryUse> memory;  ///< if measured
-  /// As host::Sweep, for a part.
+  /// The fraction of a triangle that the statistics round down; see host::Sweep.
   std::uint32_t left_triangle_parts = 0;
 };
 

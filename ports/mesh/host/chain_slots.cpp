@@ -1,5 +1,7 @@
 // Converts chains to slots: rings and fragments that are sent event by event, and all open chains
 // when the firmware's sweep continues.
+#include <algorithm>
+
 #include "chains.hpp"
 
 namespace discmc::host {
@@ -23,7 +25,7 @@ struct Front {
   bool has_passed(const Vertex& v) const {
     return precedes({v.x >> 1, v.y >> 1, v.z >> 1}, {x, y, z});
   }
-  // At least how many links of a side are behind the sweep; 0 if the side does not lead ahead.
+  // Returns a lower bound of the links that the sweep has passed; 0 if the side leads back.
   uint32_t links_passed(const Vertex& corner, const Vertex& step) const {
     const auto passed = [](int32_t coordinate, int32_t by, int32_t voxel) {
       const int32_t links = (2 * voxel - 2 - coordinate) / by;
@@ -35,7 +37,7 @@ struct Front {
   }
 };
 
-// Where a fragment begins at a seam: at the vertex to which the last link leads from beyond.
+// Returns the corner at which a fragment begins at a seam: the end of the last link beyond it.
 CornerCode seam_corner(const Node& node) {
   const CornerCode behind(node.corner_behind());
   Vertex at = behind.vertex();
@@ -45,7 +47,7 @@ CornerCode seam_corner(const Node& node) {
                     CornerCode::links(CornerCode::beyond_seam, behind.onwards()));
 }
 
-// Makes a list of the sides of a chain, as its corners come by.
+// Makes the list of a chain's sides from its corners.
 class Sides {
  public:
   Sides(Slots& slots, CornerCode first) : slots_(slots), last_(first) {}
@@ -80,9 +82,9 @@ class Sides {
   uint32_t list_ = no_slot;
 };
 
-// Makes the end that waits at a corner. side: the link of its direction. ahead: the link away from
-// the fragment. Links that the sweep has surely passed become a run, so the rest of the side is
-// short. may_turn: the chain may turn at the next centroid, so no link becomes a run.
+// Makes the waiting end at a corner. side: the link of the end's direction. ahead: the link away
+// from the fragment. Links that the sweep has surely passed become a run, so the rest of the side
+// is short. may_turn: no link becomes a run, because the chain may turn at the next centroid.
 uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link ahead,
                  bool may_turn, const Front& front) {
   Vertex vertex = corner.vertex();
@@ -94,19 +96,6 @@ uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link 
   slots[end].end.side = detail::trace::Side(sides.direction(side), detail::trace::place_of(vertex));
   slots[end].end.mate = end;  // until it has one
   return end;
-}
-
-// Shell's sort, with gaps of Knuth (The Art of Computer Programming, vol. 3, section 5.2.1).
-void sort(uint32_t* numbers, uint32_t count) {
-  uint32_t gap = 1;
-  while (gap < count / 3) gap = 3 * gap + 1;
-  for (; gap > 0; gap /= 3)
-    for (uint32_t i = gap; i < count; ++i) {
-      const uint32_t number = numbers[i];
-      uint32_t at = i;
-      for (; at >= gap && numbers[at - gap] > number; at -= gap) numbers[at] = numbers[at - gap];
-      numbers[at] = number;
-    }
 }
 
 }  // namespace
@@ -124,10 +113,10 @@ void Chains::put_out_ring(Fragments& fragments) const {
     at = node[at].next;
   } while (at != first);
   sides.add(start);
-  fragments.put_out(Outgoing::Kind::ring, start.incidence(), sides.list(), start.vertex());
+  fragments.set_outgoing(Outgoing::Kind::ring, start.incidence(), sides.list(), start.vertex());
 }
 
-// Fragments go out in the order in which they were completed, each by its newest node. That node
+// Fragments leave in the order of completion, which is that of their newest nodes. The newest node
 // gets the seat of the fragment, and the chain becomes a circle.
 void Chains::find_complete(Slots& slots) {
   Node* const node = nodes(slots);
@@ -146,7 +135,7 @@ void Chains::find_complete(Slots& slots) {
     seat[i] = other;
     other = newest;
   }
-  sort(seat + front(seam_begins), complete_);
+  std::sort(seat + front(seam_begins), seat + front(seam_begins) + complete_);
 }
 
 void Chains::put_out_complete(Fragments& fragments) {
@@ -161,7 +150,7 @@ void Chains::put_out_complete(Fragments& fragments) {
     at = node[at].next;
     sides.add(node[at]);
   }
-  fragments.put_out(Outgoing::Kind::fragment, start.incidence(), sides.list(), start.vertex());
+  fragments.set_outgoing(Outgoing::Kind::fragment, start.incidence(), sides.list(), start.vertex());
   fragments.outgoing().incoming = sides.direction(start.onwards());
 }
 
@@ -185,9 +174,9 @@ void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row,
       uint32_t begin = detail::trace::loose_end<uint32_t>(sides.direction(first.onwards()));
       if (!begins_at_seam) {
         const Link came = first.incoming();
-        const bool may_turn = ray_ends.turns[queue] != 0;
+        const bool may_turn = queue_traits.turns[queue] != 0;
         begin = new_end(slots, sides, first, came, opposite_link(came), may_turn, visited);
-        fragments.push(ray_ends.number[queue], begin);
+        fragments.push(queue_traits.number[queue], begin);
         if (first_node.turns_behind()) sides.add(CornerCode(first_node.corner_behind()));
       } else if (at >= Node::waiting_tail && !visited.has_passed(first.vertex())) {
         seat[at - Node::waiting_tail] = no_slot;
@@ -209,9 +198,9 @@ void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row,
   for (uint32_t queue = 0; queue < seam_tails; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i)
       if (seat[i] == no_slot)
-        fragments.push_lost(ray_ends.number[queue]);
+        fragments.push_lost(queue_traits.number[queue]);
       else
-        fragments.push(ray_ends.number[queue], seat[i]);
+        fragments.push(queue_traits.number[queue], seat[i]);
   give_all(slots);
 }
 

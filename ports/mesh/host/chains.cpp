@@ -8,7 +8,7 @@ using Slots = Chains::Slots;
 
 namespace {
 
-// Calls visit(queue) for those of tails, or of begins.
+// Calls visit(queue) for each queue of tails, or of begins.
 template <class Visit>
 void for_each_queue(uint32_t first, Visit visit) {
   for (uint32_t queue = first; queue < first + queues_each; ++queue) visit(queue);
@@ -38,7 +38,7 @@ bool Chains::start(Slots& slots) {
   return true;
 }
 
-// Slots side by side, or none. They are written, as all slots in use are: a checkpoint has them.
+// Returns consecutive slots, or none. Writes them, because a checkpoint contains all used slots.
 Chains::Area Chains::new_area(Slots& slots, uint32_t count) {
   const uint32_t slot = slots.allocate_fresh(count);
   if (slot == no_slot) return {};
@@ -48,41 +48,41 @@ Chains::Area Chains::new_area(Slots& slots, uint32_t count) {
   return {first, count};
 }
 
-void Chains::give(Slots& slots, const Area& area) {
-  for (uint32_t i = 0; i < area.slots; ++i) slots.give(area.first + 1 + i);
+void Chains::release(Slots& slots, const Area& area) {
+  for (uint32_t i = 0; i < area.slots; ++i) slots.release(area.first + 1 + i);
 }
 
 bool Chains::make_room(Slots& slots) {
   DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
-  if (!make_seats(slots) || !find_area(slots, area_[0].slots)) return false;
+  if (!grow_queues(slots) || !ensure_spare_area(slots, area_[0].slots)) return false;
   copy_open(slots);
-  // So that copying now and then is little work for each pass.
+  // Doubles the area if a third is open, so copying costs each pass amortised constant time.
   const uint32_t open = top_ - area_[0].first;
-  if (3 * open + max_new > area_[0].slots && find_area(slots, 2 * area_[0].slots) &&
+  if (3 * open + max_new > area_[0].slots && ensure_spare_area(slots, 2 * area_[0].slots) &&
       !has_room_for(slots, open))
     copy_open(slots);
   return has_room_for(slots, open);
 }
 
-// Ensures that the free area has `count` slots or more. False when there is no room.
-bool Chains::find_area(Slots& slots, uint32_t count) {
+// Ensures that the free area has at least `count` slots. Returns false if there is no room.
+bool Chains::ensure_spare_area(Slots& slots, uint32_t count) {
   if (area_[1].slots >= count) return true;
   if (slots.available() < reserve() + count) return false;
   const Area larger = new_area(slots, count);
   if (larger.slots == 0) return false;
-  give(slots, area_[1]);
+  release(slots, area_[1]);
   area_[1] = larger;
   return true;
 }
 
-// Marks the last node of each fragment with the seat in which it waits.
+// Marks the last node of each fragment with its seat.
 void Chains::mark_tails(Slots& slots) {
   for (uint32_t queue = 0; queue < seam_tails; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i)
       nodes(slots)[seats(slots)[i]].next = Node::waiting_tail + i;
 }
 
-// Copies the nodes of open fragments to the other area, each behind the one before it.
+// Copies the nodes of open fragments to the other area, in the order of each chain.
 void Chains::copy_open(Slots& slots) {
   Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
@@ -111,8 +111,8 @@ void Chains::copy_open(Slots& slots) {
   end_ = area.first + area.slots;
 }
 
-// Makes room in the queues. False when one of them has too little.
-bool Chains::make_seats(Slots& slots) {
+// Makes room in the queues. Returns false if one of them has too little.
+bool Chains::grow_queues(Slots& slots) {
   find_min_free_seats();
   if (has_free_seats()) return true;
   back(seam_tails) = front(seam_tails);  // nothing reads this queue
@@ -160,15 +160,15 @@ void Chains::make_seats_in(Slots& slots, uint32_t queue) {
   for (uint32_t i = 0; i < waiting; ++i) seat[first + i] = seat[front(queue) + i];
   front(queue) = first;
   back(queue) = first + waiting;
-  if (first != old_first) give(slots, {old_first / seats_per_slot, old_slots});
+  if (first != old_first) release(slots, {old_first / seats_per_slot, old_slots});
 }
 
 void Chains::give_all(Slots& slots) {
-  for (const Area& area : area_) give(slots, area);
-  give(slots, {0, 1});
+  for (const Area& area : area_) release(slots, area);
+  release(slots, {0, 1});
   for_each_queue([&](uint32_t queue) {
     const uint32_t first = first_seat_[queue] / seats_per_slot;
-    give(slots, {first, end_seat_[queue] / seats_per_slot - first});
+    release(slots, {first, end_seat_[queue] / seats_per_slot - first});
   });
 }
 
@@ -197,9 +197,9 @@ void Chains::process(Slots& slots, const FoundPasses& passes, uint32_t edges) {
     DISCMC_LIMIT(joins < FoundPasses::max_passes);
     const uint32_t before = seat[in_seat], after = seat[out_seat];
     // All bits or none, and conditional moves: no branch depends on the surface.
-    const uint32_t comes_from_ahead = ray_ends.comes_from_ahead[in];
-    const uint32_t goes_ahead = ray_ends.goes_ahead[out];
-    const uint32_t difference = ray_ends.straight_in[in] ^ ray_ends.straight_out[out];
+    const uint32_t comes_from_ahead = queue_traits.comes_from_ahead[in];
+    const uint32_t goes_ahead = queue_traits.goes_ahead[out];
+    const uint32_t difference = queue_traits.straight_in[in] ^ queue_traits.straight_out[out];
     const uint32_t is_straight = all_if_zero(difference);
     const uint32_t goes_on = comes_from_ahead != 0 ? after : before;
     seat[in_seat] = seat[out_seat] = difference == 0 ? goes_on : top;

@@ -1,26 +1,26 @@
 // The open chains of the extractor for PCs: linked nodes, where firmware has fragments of runs.
 //
-// A node is a vertex that a chain passes. Nodes are numbered in the order in which they are made,
-// and linked in the direction of the chain. A fragment is a piece of a chain. Both its
-// ends wait: its last node in a queue of tails, its first node in a queue of begins. A pass makes
-// one node, and links it with the nodes that it removes from its two queues. If the chain is
-// straight there, no node is made: the node that waited moves to the next queue. All passes run the
-// same instructions, so no branch depends on the surface.
+// A node is a vertex that a chain passes. Nodes are numbered as they are made, and linked in the
+// direction of the chain. A fragment is a piece of a chain. Both ends of a fragment wait: the last
+// node in a queue of tails, the first node in a queue of begins. A pass makes one node, and links
+// the node with those that the pass removes from its two queues. A straight pass makes no node: the
+// waiting node moves to the next queue. All passes run the same instructions, so no branch depends
+// on the surface.
 //
-// A join is a node that removes an end from both of its queues. It either connects two fragments or
-// closes a ring. find_ring() follows the chain from the join while its nodes are older: the chain
-// of a ring returns to the join. A long walk without a ring adds a shortcut. It is a node that
-// names the end of the walk, so no walk is repeated.
+// A join is a node that removes an end from both of its queues: it connects two fragments, or
+// closes a ring. find_ring() follows the chain from a join as long as its nodes are older. A ring
+// returns to its join. A long walk without a ring adds a shortcut, a node that names the end of the
+// walk, so that no walk is repeated.
 //
 // Nodes are never removed one by one. When their area is full, copy_open() copies the nodes of open
 // fragments to a second area, without those that have no corner. All other nodes are forgotten.
 //
-// At the seam of a slab, chains from beyond it begin at a node, and chains that leave end at one.
-// One end of such a node waits in a queue of the seam, from which no pass removes it. A fragment
-// between two of these nodes is complete.
+// At the seam of a slab, a chain from another slab begins at a node, and a leaving chain ends at a
+// node. One end of this node waits in a queue of the seam, from which no pass removes ends. A
+// fragment between two such nodes is complete.
 //
-// A queue is an array of seats; each holds the number of a waiting node. Nodes and queues are in
-// the pool of slots, so a checkpoint contains them.
+// A queue is an array of seats; each seat holds the number of a waiting node. Nodes and queues are
+// in the pool of slots, so a checkpoint contains them.
 #ifndef DISCMC_MESH_HOST_CHAINS_HPP
 #define DISCMC_MESH_HOST_CHAINS_HPP
 
@@ -30,17 +30,16 @@
 
 namespace discmc::host {
 
-/// The initial sizes of nodes and queues, and how many nodes find_ring() follows before it uses
-/// shortcuts.
+/// The initial sizes of the area of nodes and of queues, and the limits of a ring's walk.
 struct ChainRoom {
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
   // A pass is a node. It may be a join, which may leave a shortcut.
   static constexpr uint32_t max_joins = FoundPasses::max_passes;
   static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
-  // Passes that cross a seam: one edge may have all its passes across it.
+  // The passes that may cross a seam: all passes of an edge.
   static constexpr uint32_t max_across = Edges::max_at_seam * detail::trace::PassList::max_passes;
-  // Slots are set aside for handing over. A node that waits at both ends becomes two ends. Both of
-  // its sides may be long: up to eight slots of runs.
+  // Slots that are reserved for handing over. A node that waits at both ends becomes two ends, and
+  // both of its sides may be long: up to eight slots of runs.
   static constexpr uint32_t slots_per_node = 10;
   static constexpr uint32_t runs_of_side =
       (2 * (Limits::max_extent + 1) + detail::trace::max_short_length - 1) /
@@ -50,21 +49,21 @@ struct ChainRoom {
   static constexpr uint32_t max_corners = 512;
 
   uint32_t nodes = 4096;
-  /// The seats of a queue, and of a queue of the seam: multiples of seats_per_slot. They are no
-  /// powers of two, so that the first seats of queues do not share sets of a cache.
+  /// The seats of a queue, and of a queue of the seam: multiples of seats_per_slot, but no powers
+  /// of two. So the first seats of queues do not share sets of a cache.
   uint32_t seats = 4 * Edges::max_edges + 16;
   uint32_t seats_at_seam = 2 * max_across + 16;
-  /// The corners of a ring are listed if they are at most this many.
+  /// find_ring() lists at most this many corners of a ring.
   uint32_t corners = max_corners;
   uint32_t short_walk = 64;
 
-  /// The room that one batch of edges needs, so that everything grows at once: for tests.
+  /// The room that one batch of edges needs. Tests use it, so that everything grows soon.
   static constexpr ChainRoom least() { return {max_new, Edges::max_edges, max_across, 1, 1}; }
 
   constexpr uint32_t seat_slots() const {
     return 2 * ((queues_each - 1) * seats + seats_at_seam) / seats_per_slot;
   }
-  /// The slots with which chains begin.
+  /// The slots that chains need at the start.
   constexpr uint32_t slots() const {
     return 1 + seat_slots() + 2 * nodes + 2 * slots_per_node * max_new;
   }
@@ -80,51 +79,52 @@ class Chains {
   static_assert(ChainRoom{}.seats >= 2 * Edges::max_edges &&
                     ChainRoom{}.seats_at_seam >= 2 * ChainRoom::max_across,
                 "half of the seats have room for a batch");
-  static_assert(ChainRoom{}.nodes >= ChainRoom::max_new, "so have the nodes");
+  static_assert(ChainRoom{}.nodes >= ChainRoom::max_new, "the nodes have room for a batch");
   static_assert(2 * ChainRoom{}.short_walk <= max_corners, "a node has two corners at most");
 
-  /// For the next start. Limit: at least ChainRoom::least(), and at most max_corners corners and
-  /// half as many nodes of a walk.
+  /// Sets the room for the next start. Limit: at least ChainRoom::least(), and at most max_corners
+  /// corners and half as many nodes of a walk.
   void set_room(const ChainRoom& room) {
     DISCMC_LIMIT(room.short_walk >= 1 && 2 * room.short_walk <= max_corners);
     DISCMC_LIMIT(room.corners <= max_corners);
     room_ = room;
   }
-  /// Begins with slots that have just been cleared. False when they are fewer than the room's.
+  /// Begins with cleared slots. Returns false if they are fewer than the slots of the room.
   bool start(Slots& slots);
 
-  /// Whether there is room for the passes of max_edges, in the nodes under way. Limit, here and
+  /// Whether there is room for the passes of max_edges without copying nodes. Limit, here and
   /// below: no ring and no complete fragment is due.
   bool has_room(Slots& slots) {
     DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
-    return (has_free_seats() || make_seats(slots)) && has_room_for(slots, 0);
+    return (has_free_seats() || grow_queues(slots)) && has_room_for(slots, 0);
   }
-  /// Makes room. False when too many slots would be in use: then hand_over(). Limit: no fragment is
-  /// complete. Cost: copies all open fragments.
+  /// Makes room. Returns false if too many slots would be in use; then call hand_over(). Limit: no
+  /// fragment is complete. Cost: copies all open fragments.
   bool make_room(Slots& slots);
 
   /// Adds passes to the chains. Limit: there is room.
   void process(Slots& slots, const FoundPasses& passes, uint32_t edges);
 
-  /// Finds the next closed ring, in the order in which they were closed. False if there is none.
+  /// Finds the next closed ring, in the order of closing. Returns false if there is none.
   bool find_ring(Slots& slots);
-  /// Its corners in order, from any one of them on; none if they are more than max_corners. Behind
-  /// them is room for as many.
+  /// Returns the corners of the found ring, in order from any corner; none if the ring has more
+  /// than max_corners. The array has room for as many corners again.
   uint64_t* corners() { return corner_; }
   uint32_t corner_count() const { return corner_count_; }
-  /// Puts the ring out as slots.
+  /// Makes the found ring outgoing, as slots.
   void put_out_ring(Fragments& fragments) const;
 
-  /// Finds the fragments that are complete, between two seams. Cost: follows those that begin at
-  /// one.
+  /// Finds the complete fragments, between two seams. Cost: follows the fragments that begin at a
+  /// seam.
   void find_complete(Slots& slots);
   bool has_complete() const { return complete_ > 0; }
-  /// Puts the next of these out as slots. Limit: there is one.
+  /// Makes the next complete fragment outgoing, as slots. Limit: there is one.
   void put_out_complete(Fragments& fragments);
 
-  /// Hands all fragments over, when a sweep has come to a word of a row. Limit: none is complete.
+  /// Hands all fragments over to the firmware's sweep, which continues at a word of a row. Limit:
+  /// no fragment is complete.
   void hand_over(Fragments& fragments, const detail::trace::SweptRow& row, uint32_t word);
-  /// Forgets everything, and gives the slots back.
+  /// Forgets everything, and releases all slots.
   void give_all(Slots& slots);
 
  private:
@@ -137,8 +137,8 @@ class Chains {
     uint32_t first, slots;
   };
 
-  // Node n is slot n + 1 of the pool, whose slot 0 is none. Node 0 is written for passes without a
-  // node before them, and never read.
+  // Node n is slot n + 1 of the pool; slot 0 is no slot. Passes without a node before them write
+  // node 0, which is never read.
   static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[1]); }
   static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[1]); }
   uint32_t& front(uint32_t queue) {
@@ -155,16 +155,13 @@ class Chains {
            back(queue) <= end_seat_[queue];
   }
 
-  // Counts what has_room() keeps track of once more, for checks.
+  // Recomputes the state that has_room() caches; for checks.
   bool is_ready_for_batch(const Slots& slots) {
     const uint32_t end = area_[0].first + area_[0].slots;
-    bool is_ready = end_ == end && end - top_ >= 2 * FoundPasses::max_passes &&
-                    slots.available() >= 10 * (top_ - area_[0].first + 2 * FoundPasses::max_passes);
+    bool is_ready = end_ == end && has_room_for(slots, 0);
     for (uint32_t queue = 0; queue < queue_codes; ++queue)
       is_ready = is_ready && is_within_seats(queue) &&
-                 free_seats(queue) >=
-                     (is_at_seam(queue) ? Edges::max_at_seam * detail::trace::PassList::max_passes
-                                        : Edges::max_edges);
+                 free_seats(queue) >= (is_at_seam(queue) ? max_across : Edges::max_edges);
     return is_ready;
   }
 
@@ -174,13 +171,13 @@ class Chains {
            slots.available() >= reserve() + slots_per_node * nodes;
   }
   Area new_area(Slots& slots, uint32_t count);
-  void give(Slots& slots, const Area& area);
-  bool find_area(Slots& slots, uint32_t count);
+  void release(Slots& slots, const Area& area);
+  bool ensure_spare_area(Slots& slots, uint32_t count);
   bool has_free_seats() {
     return min_free_seats_ >= Edges::max_edges && free_seats(seam_tails) >= max_across &&
            free_seats(seam_begins) >= max_across;
   }
-  bool make_seats(Slots& slots);
+  bool grow_queues(Slots& slots);
   void find_min_free_seats();
   void make_seats_in(Slots& slots, uint32_t queue);
   void mark_tails(Slots& slots);
@@ -188,17 +185,17 @@ class Chains {
   bool comes_back(Slots& slots, uint32_t at);
 
   ChainRoom room_;
-  Area area_[2] = {};            // nodes are in the first; the other is free
+  Area area_[2] = {};            // the first holds the nodes; the other is free
   uint32_t top_ = 0;             // behind the last node
   uint32_t end_ = 0;             // the limit of top_
-  uint32_t min_free_seats_ = 0;  // of the queues, except those of the seam
-  uint32_t complete_ = 0;        // fragments between seams, the first ones of seam_begins
+  uint32_t min_free_seats_ = 0;  // of all queues but those of the seam
+  uint32_t complete_ = 0;        // complete fragments, the first of seam_begins
   uint32_t joins_ = 0;
   uint32_t next_join_ = 0;
   uint32_t ring_ = 0;
   uint32_t corner_count_ = 0;
-  // By queue: the next seat of chains that arrive, and of chains that leave. From queues of tails,
-  // chains that arrive remove ends; to queues of begins they add ends.
+  // Per queue: the next seat of arriving chains, and of leaving chains. An arriving chain removes
+  // an end from a queue of tails, or adds an end to a queue of begins.
   uint32_t next_in_seat_[queue_codes] = {};
   uint32_t next_out_seat_[queue_codes] = {};
   uint32_t first_seat_[queue_codes] = {};

@@ -1,4 +1,4 @@
-// A corner of a chain: where it is and how the chain turns there, in 64 bits.
+// A corner of a chain in 64 bits: its position, and the turn of the chain.
 #ifndef DISCMC_MESH_HOST_CORNER_CODE_HPP
 #define DISCMC_MESH_HOST_CORNER_CODE_HPP
 
@@ -7,23 +7,23 @@
 
 namespace discmc::host {
 
-/// Bits 0-4: the link by which the chain leaves. 5-9: the link by which it arrives. 10-14: its
-/// incidence. 16-31: x + 1. 32-47: y + 1. 48-63: z + 1. So codes are in the order z, y, x, and
-/// adding a vector to a code moves the corner.
+/// Bits 0-4: the leaving link. 5-9: the arriving link. 10-14: the incidence. 16-31: x + 1. 32-47:
+/// y + 1. 48-63: z + 1. Codes compare in the order z, y, x. A corner moves if a vector is added to
+/// its code.
 class CornerCode {
  public:
-  /// The slices that fit. One before the first fits as well, and behind the last its centroids and
-  /// the slice above a slab.
+  /// The largest number of slices. Besides them fit the slice before the first, and behind the last
+  /// the centroids and the slice above a slab.
   static constexpr int32_t max_slices = 32760;
   static_assert(2 * (max_slices + 2) < 1 << 16 && 2 * Limits::max_extent + 1 < 1 << 16,
                 "each coordinate and one has 16 bits");
-  /// In place of a link that lies beyond the seam of a slab.
+  /// Replaces a link beyond the seam of a slab.
   static constexpr Link beyond_seam = link_codes;
   static_assert(beyond_seam < 1 << 5 && incidence_codes <= 1 << 5, "each has five bits");
 
   constexpr explicit CornerCode(uint64_t bits) : bits_(bits) {}
 
-  /// The number to add for links, an incidence or a vector; and the code of a vertex alone.
+  /// The terms of a code: links, an incidence, a vector, a vertex.
   static constexpr uint64_t links(Link incoming, Link onwards) {
     return uint64_t{incoming} << 5 | onwards;
   }
@@ -51,8 +51,8 @@ class CornerCode {
   uint64_t bits_;
 };
 
-/// How to count links between two corners. The bits from `shift` on hold a coordinate that
-/// changes; the bits above it are equal. A link changes it by 1 << halvings.
+/// The means to count links between two corners. The bits from `shift` on hold a coordinate that
+/// changes; all higher bits are equal. A link changes the coordinate by 1 << halvings.
 struct LinkMeasure {
   uint8_t shift;
   uint8_t halvings;
@@ -74,7 +74,7 @@ constexpr LinkMeasures link_measures() {
 }  // namespace derive
 inline constexpr LinkMeasures link_measures = derive::link_measures();
 
-/// How many links lead straight from a corner to the next.
+/// Returns the number of links from a corner straight to the next.
 inline uint32_t links_between(CornerCode from, CornerCode to) {
   const LinkMeasure measure = link_measures.of[from.onwards()];
   const auto difference = static_cast<int32_t>(static_cast<uint32_t>(to.bits() >> measure.shift) -

@@ -6,7 +6,7 @@
 
 namespace discmc::host {
 
-/// What direction_of() returns, at hand.
+/// The results of direction_of().
 struct DirectionTable {
   Direction of[incidence_codes][link_codes];
 };

@@ -1,7 +1,7 @@
-// The crossing edges of rows, collected, with the voxels around them.
+// Collects the crossing edges of rows, with the voxels around them.
 //
-// No branch of the collecting depends on the surface. Edges are collected from one row of a slice
-// after another until there are many, so that the loops over them are long.
+// No branch depends on the surface. A batch of edges comes from several rows of a slice, so that
+// the loops over edges are long.
 #ifndef DISCMC_MESH_HOST_EDGES_HPP
 #define DISCMC_MESH_HOST_EDGES_HPP
 
@@ -10,11 +10,11 @@
 
 namespace discmc::host {
 
-/// An edge, and what is around it.
+/// An edge, and the voxels around it.
 struct Edge {
-  uint64_t voxel;  ///< CornerCode::position() of the one at its lower end
-  uint32_t lines;  ///< of its axis, from bit 0 on (see RayTable); the bits above are unused
-  uint32_t axis;   ///< and, from special_shift on, 0, or special and quadrants without a cell
+  uint64_t voxel;  ///< CornerCode::position() of the voxel at the lower end
+  uint32_t lines;  ///< the lines of its axis, from bit 0 (see RayTable); higher bits are unused
+  uint32_t axis;   ///< with `special`, and quadrants without a cell from special_shift
 
   static constexpr uint32_t special_shift = 2;
   static constexpr uint32_t special = 1U << 6, at_seam = 1U << 7;
@@ -29,18 +29,18 @@ class Edges {
   static constexpr uint32_t max_at_seam = max_edges / 2;
 
   void clear();
-  /// Collects the edges of a row, from the word where it stopped. False at the end of the row. True
-  /// if those collected must be processed first: there is no room for one more word, or they belong
-  /// to another slice.
+  /// Collects edges of a row, from the word at which the last call stopped. Returns false at the
+  /// end of the row. Returns true if the batch must be processed first: it has no room for one more
+  /// word, or belongs to another slice.
   bool collect(const detail::trace::SweptRow& row);
-  /// Forgets those collected.
+  /// Discards the collected edges.
   void take_all() { count_ = 0; }
 
   bool is_empty() const { return count_ == 0; }
   uint32_t count() const { return count_; }
   const Edge* begin() const { return edge_; }
   const Edge* end() const { return edge_ + count_; }
-  /// The next word of the row under way.
+  /// Returns the next word of the current row.
   uint32_t word() const { return word_; }
 
  private:
@@ -53,8 +53,8 @@ class Edges {
 
   uint32_t word_ = 0;
   uint32_t count_ = 0;
-  int32_t z_ = 0;                  // the slice of those collected
-  Edge edge_[max_edges + 3] = {};  // three are written for each voxel, however many it has
+  int32_t z_ = 0;                  // the slice of the batch
+  Edge edge_[max_edges + 3] = {};  // each voxel writes three, whatever it has
 };
 
 }  // namespace discmc::host

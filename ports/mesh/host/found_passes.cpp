@@ -18,7 +18,7 @@ DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWo
   const uint32_t differ = first >> incidence_shift ^ first_before >> HalfRays::last_shift;
   *ray = first;
   ray += (differ & incidences) != 0 ? 1 : 0;
-  // One more, as four are copied at once.
+  // Copies four words; the next ray overwrites the last one.
   copy_bytes(ray, half.ray, sizeof half);
   return ray + (first >> HalfRays::count_shift);
 }
@@ -80,7 +80,7 @@ DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, Ra
   RayWord* const first = ray;
   for (uint32_t i = 0; i < list.count; ++i) {
     const Pass& pass = list.pass[i];
-    const QueueCode in = ray_ends.code[pass.in], out = ray_ends.code[pass.out];
+    const QueueCode in = queue_traits.code[pass.in], out = queue_traits.code[pass.out];
     if (!is_at_seam) *ray++ = pass_word(in, out, pass.incidence);
     // A chain that comes across the seam ends here; one that goes across it begins here.
     if (is_at_seam && pass.in >= detail::trace::first_rising_queue)

@@ -1,4 +1,4 @@
-// The passes at the collected edges. A pass is found as the two rays between which it lies.
+// The passes at a batch of edges. A pass lies between two rays, and is found by them.
 #ifndef DISCMC_MESH_HOST_FOUND_PASSES_HPP
 #define DISCMC_MESH_HOST_FOUND_PASSES_HPP
 
@@ -12,7 +12,7 @@ class FoundPasses {
  public:
   static constexpr uint32_t max_passes = Edges::max_edges * detail::trace::PassList::max_passes;
 
-  /// Finds the passes of some edges, and adds to the counts of cells.
+  /// Finds the passes of a batch of edges, and adds to the counts of cells.
   void find(const Edges& edges, detail::trace::SweepCounts& counts);
 
   /// Calls visit(voxel, pass) for each pass. voxel: at the lower end of its edge, as
@@ -29,7 +29,7 @@ class FoundPasses {
   }
 
  private:
-  // Set in the word behind the last ray of a vertex: the first once more.
+  // Set in the word behind the last ray of a vertex, which repeats the first ray.
   static constexpr uint32_t repeated = 1U << 31;
 
   // The voxel of a vertex, and the bits of its passes that come from the next ray: in_bits,
@@ -46,9 +46,9 @@ class FoundPasses {
 
   Added add_special(const Edge& edge, RayWord* ray, PassVertex* place) const;
 
-  uint32_t rays_ = 0;  // those repeated included
+  uint32_t rays_ = 0;  // including repeated ones
   PassVertex place_[Edges::max_edges + 1] = {};
-  // Four words are copied behind a first ray, however many count.
+  // Behind a first ray four words are copied, whatever the number of rays.
   RayWord ray_[max_passes + Edges::max_edges + 5] = {};
   static_assert(2 * sizeof(HalfRays) == detail::trace::PassList::max_passes * sizeof(RayWord),
                 "a vertex has as many rays as two halves");

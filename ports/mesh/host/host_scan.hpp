@@ -1,4 +1,4 @@
-// A host's extractor with memory of its own.
+// A HostExtractor with memory of its own.
 #ifndef DISCMC_MESH_HOST_HOST_SCAN_HPP
 #define DISCMC_MESH_HOST_HOST_SCAN_HPP
 
@@ -12,8 +12,8 @@
 
 namespace discmc::meshing {
 
-/// The memory of a scan on a host: enough for slices of any kind. Pages that are never used cost
-/// nothing. Units: bytes.
+/// Returns the memory of a scan on a PC, enough for slices of any kind. Unused pages cost nothing.
+/// Units: bytes.
 template <class Normals = BitIntake>
 std::uint64_t generous_bytes_for(const Limits& limits) {
   constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
@@ -24,7 +24,8 @@ std::uint64_t generous_bytes_for(const Limits& limits) {
 /// Extracts rows of bits; further scans use the same memory.
 class HostScan {
  public:
-  /// sink: accepts every event at once. regions: offered whole regions first. Owner: the caller.
+  /// sink: accepts every event at once. regions: receives regions of one ring before the sink.
+  /// Owner: the caller.
   void start(const Limits& limits, const Sink& sink, const RegionReceiver& regions = {}) {
     const std::size_t bytes = generous_bytes_for(limits);
     if (bytes_ < bytes) memory_.reset(new std::uint8_t[bytes]);

@@ -12,14 +12,14 @@ namespace discmc::host {
 /// A vertex that a chain passes: as large as a slot, and aligned as one.
 struct Node {
   uint32_t voxel_bits[2];  // CornerCode::position()
-  uint32_t next;           // in the chain; or no_node, or a waiting_tail
+  uint32_t next;           // the next node of the chain, no_node, or a waiting_tail
   PassWord pass;
 
   static constexpr uint32_t no_node = UINT32_MAX;
   /// Added to the seat of a tail, while nodes are copied.
   static constexpr uint32_t waiting_tail = 1U << 31;
-  /// In place of a pass: a shortcut. Its voxel_bits name the node up to which the chain need not be
-  /// followed again. It has no corner.
+  /// The pass of a shortcut, which has no corner. Its voxel_bits name the node up to which the
+  /// chain has been followed.
   static constexpr PassWord shortcut = 1U << 31 | pass_word(seam_tails, seam_begins, 0);
   static_assert(detail::sizing::max_slots<uint32_t> < waiting_tail,
                 "numbers of nodes are not those of tails");
@@ -31,25 +31,27 @@ struct Node {
   }
   void set_voxel(uint64_t bits) { copy_bytes(voxel_bits, &bits, sizeof bits); }
 
-  bool turns() const { return ray_ends.incoming[in_of(pass)] != ray_ends.first[out_of(pass)]; }
-  bool turns_behind() const { return ray_ends.turns[out_of(pass)] != 0; }
+  bool turns() const {
+    return queue_traits.incoming[in_of(pass)] != queue_traits.first[out_of(pass)];
+  }
+  bool turns_behind() const { return queue_traits.turns[out_of(pass)] != 0; }
   bool has_corner() const { return turns() || turns_behind(); }
   bool begins_at_seam() const { return in_of(pass) == seam_begins; }
   bool ends_at_seam() const { return out_of(pass) == seam_tails; }
 
-  /// The corner at the vertex, if it turns there; and at the centroid behind it.
+  /// The corner at the vertex, if turns(); and the corner at the centroid behind it.
   uint64_t corner() const {
-    return plane() + ray_ends.vertex[in_of(pass)] + ray_ends.first[out_of(pass)];
+    return plane() + queue_traits.vertex[in_of(pass)] + queue_traits.first[out_of(pass)];
   }
-  uint64_t corner_behind() const { return plane() + ray_ends.centroid[out_of(pass)]; }
+  uint64_t corner_behind() const { return plane() + queue_traits.centroid[out_of(pass)]; }
 
-  /// Writes the corners, none to two, by the same instructions in all cases. Returns where the next
-  /// one belongs. Limit: there is room for two.
+  /// Writes none to two corners, by the same instructions in all cases. Returns the place of the
+  /// next corner. Limit: there is room for two.
   DISCMC_ALWAYS_INLINE uint64_t* add_corners(uint64_t* corners) const {
     corners[0] = corner();
     corners += turns() ? 1 : 0;
     corners[0] = corner_behind();
-    return corners + ray_ends.turns[out_of(pass)];
+    return corners + queue_traits.turns[out_of(pass)];
   }
 
  private:

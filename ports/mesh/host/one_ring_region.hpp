@@ -1,6 +1,6 @@
-// Regions in one call, in place of their events.
-#ifndef DISCMC_MESH_HOST_WHOLE_REGION_HPP
-#define DISCMC_MESH_HOST_WHOLE_REGION_HPP
+// Regions that are sent in one call, instead of as events.
+#ifndef DISCMC_MESH_HOST_ONE_RING_REGION_HPP
+#define DISCMC_MESH_HOST_ONE_RING_REGION_HPP
 
 #include <discmc/chain.hpp>
 #include <discmc/sink.hpp>
@@ -9,24 +9,24 @@
 
 namespace discmc {
 
-/// A region of one ring, by its corners in order from the last vertex on. Most regions have one
-/// ring. Owner: the sender; valid during the call.
-class WholeRegion {
+/// A region of one ring, as most are. Corners are in order, from the last vertex. Owner: the
+/// sender; valid during the call.
+class OneRingRegion {
  public:
-  /// corners: CornerCode, `count` of them and the first once more.
-  WholeRegion(const uint64_t* corners, uint32_t count) : corners_(corners), count_(count) {}
+  /// corners: `count` CornerCodes, and the first once more.
+  OneRingRegion(const uint64_t* corners, uint32_t count) : corners_(corners), count_(count) {}
 
   Incidence incidence() const { return code(0).incidence(); }
   uint32_t corner_count() const { return count_; }
   /// Units: half-steps.
   Vertex corner(uint32_t i) const { return code(i).vertex() + moved_by_; }
   Vertex start() const { return corner(0); }
-  /// By how many directions of the plane the ring turns to the left at a corner.
+  /// Returns the number of the plane's directions by which the ring turns left at a corner.
   uint32_t left_turn(uint32_t i) const {
     const uint32_t from = direction(code(i).incoming()), to = direction(code(i).onwards());
     return to - from + (to < from ? direction_count(incidence()) : 0U);
   }
-  /// The side that begins at a corner.
+  /// Returns the side that begins at a corner.
   Run run(uint32_t i) const {
     return Run::straight(direction(code(i).onwards()), host::links_between(code(i), code(i + 1)));
   }
@@ -44,7 +44,7 @@ class WholeRegion {
 
 /// Calls send(event) for the events of a region, until one is false. Returns the number sent.
 template <class Send>
-uint32_t send_events(const WholeRegion& region, Send send) {
+uint32_t send_events(const OneRingRegion& region, Send send) {
   Event event{};
   event.incidence = region.incidence();
   event.start = region.start();
@@ -66,13 +66,13 @@ uint32_t send_events(const WholeRegion& region, Send send) {
 /// the sink receives the events of the region.
 struct RegionReceiver {
   void* context = nullptr;
-  SinkResult (*accept)(void* context, const WholeRegion& region) = nullptr;
+  SinkResult (*accept)(void* context, const OneRingRegion& region) = nullptr;
 };
 
 /// Returns a receiver that calls `receiver.accept_region(region)`. Owner: as make_sink().
 template <class Receiver>
 RegionReceiver make_region_receiver(Receiver& receiver) {
-  return {&receiver, [](void* context, const WholeRegion& region) {
+  return {&receiver, [](void* context, const OneRingRegion& region) {
             return static_cast<Receiver*>(context)->accept_region(region);
           }};
 }

@@ -33,8 +33,8 @@ constexpr void for_each_way(bool they_come, Visit visit) {
     }
 }
 
-constexpr RayEnds derive_ends() {
-  RayEnds ends{};
+constexpr QueueTraits derive_ends() {
+  QueueTraits ends{};
   bool begins[detail::trace::queue_count] = {};
   for_each_way(true, [&](int, int, Way way, bool) {
     if (way.is_ahead()) begins[way.queue_in()] = true;
@@ -72,7 +72,7 @@ constexpr RayEnds derive_ends() {
   return ends;
 }
 
-constexpr RayEnds derived_ends = derive_ends();
+constexpr QueueTraits derived_ends = derive_ends();
 
 // ---- rays ----
 
@@ -217,6 +217,6 @@ static_assert(sums_have_room(), "the parts of two halves each, for all edges of 
 }  // namespace
 
 const RayTable ray_table = derived_rays;
-const RayEnds ray_ends = derived_ends;
+const QueueTraits queue_traits = derived_ends;
 
 }  // namespace discmc::host

@@ -1,8 +1,9 @@
-// The rays at a vertex, looked up by the voxels around it, and the pass between two rays.
+// Tables of the rays at a vertex, by the voxels around it. A pass lies between two rays.
 //
 // The neighbourhood of a vertex is looked up by halves, of which there are few kinds. A half has a
-// ray between each two of its sectors, and one where the halves meet if the sectors there differ.
-// The queues of its two rays identify a pass: a queue leads from one edge of a cell to another.
+// ray between its differing sectors. If the halves differ where they meet, there is a ray as well.
+// A pass is identified by the queues of its two rays: a queue leads from one edge of a cell to
+// another.
 #ifndef DISCMC_MESH_HOST_RAY_TABLE_HPP
 #define DISCMC_MESH_HOST_RAY_TABLE_HPP
 
@@ -10,8 +11,8 @@
 
 namespace discmc::host {
 
-/// The number of a queue here: queues of tails from 0 on, queues of begins from first_begins on.
-/// The last queue of either kind holds the ends at a seam, which no pass removes.
+/// The number of a queue: tails from 0, begins from first_begins. The last queue of each kind holds
+/// the ends at a seam, which no pass removes.
 using QueueCode = uint8_t;
 
 constexpr uint32_t queues_each = detail::trace::queue_count / 2 + 1;
@@ -19,9 +20,9 @@ constexpr uint32_t first_begins = queues_each;
 constexpr uint32_t queue_codes = first_begins + queues_each;
 constexpr QueueCode seam_tails = queues_each - 1, seam_begins = queue_codes - 1;
 
-/// A ray. Bits 0-7: the queue of the chain that arrives along it. 8-15: the queue of the chain that
-/// leaves along it. 16-20: the incidence of the sector behind it. A pass lies in the wedge between
-/// two rays and has the same bits, but one of its queues is that of the next ray.
+/// A ray. Bits 0-7: the queue of the chain that arrives along the ray. 8-15: the queue of the chain
+/// that leaves. 16-20: the incidence of the sector behind the ray. A pass has the same bits, but
+/// one of its queues belongs to the next ray.
 using RayWord = uint32_t;
 using PassWord = uint32_t;
 
@@ -42,9 +43,9 @@ constexpr PassWord pass_word(uint32_t in, uint32_t out, Incidence incidence) {
   return in | out << 8 | static_cast<uint32_t>(incidence) << incidence_shift;
 }
 
-/// A sum of what vertices add to the counts of cells (CountParts), over as many as come at once.
+/// The sum of the counts of cells (CountParts) over a batch of vertices.
 struct PartSum {
-  static constexpr uint32_t bits = 21;  // of each of the three
+  static constexpr uint32_t bits = 21;  // per count
   static constexpr uint64_t of(uint32_t part) {
     constexpr uint32_t facet = detail::trace::CountParts::facet_shift;
     constexpr uint32_t triangle = detail::trace::CountParts::triangle_shift;
@@ -54,18 +55,18 @@ struct PartSum {
   }
 };
 
-/// Half of what surrounds a vertex: two of its four cells, quadrants 0 and 1 or 2 and 3. Five lines
-/// of voxels (sector_table.hpp) and the one in the middle decide its rays.
+/// Half of the neighbourhood of a vertex: two of the four cells, quadrants 0 and 1 or 2 and 3. Five
+/// lines of voxels (sector_table.hpp) and the voxel in the middle determine the rays.
 struct HalfRays {
   static constexpr uint32_t lines_bits = 10;
   static constexpr uint32_t places = 1U << (lines_bits + 1);
   static constexpr uint32_t kinds = 306;
 
-  /// The rays behind the first face, in order; the words after the last of them are unused.
+  /// The rays behind the first face, in order; words after the last ray are unused.
   RayWord ray[3];
-  /// The ray on the first face, which exists if the sector before it has another incidence. From
-  /// last_shift on: the incidence of the half's last sector. From count_shift on: how many rays
-  /// follow.
+  /// The ray on the first face. It exists if the sector before it has another incidence. From
+  /// last_shift: the incidence of the half's last sector. From count_shift: the number of further
+  /// rays.
   RayWord first;
   static constexpr uint32_t last_shift = 21, count_shift = 26;
   static_assert(incidence_codes <= 1 << (count_shift - last_shift),
@@ -73,48 +74,49 @@ struct HalfRays {
 };
 
 struct RayTable {
-  /// What 3 x 3 voxels of a slice contribute to the lines around the middle voxel. By the height of
-  /// the slice above that voxel, plus 1, and by the voxels: bit x + 3 y. An axis has 21 bits, from
-  /// the lowest: lines 0 to 4 (10), the voxel (1), lines 4 to 7 and 0 (10).
+  /// The share of 3 x 3 voxels of a slice in the lines around the middle voxel. First index: the
+  /// slice below, with, or above that voxel. Second index: the voxels, bit x + 3 y. Each axis has
+  /// 21 bits, from the lowest: lines 0 to 4 (10), the voxel (1), lines 4 to 7 and 0 (10).
   uint64_t lines[3][512];
   static constexpr uint32_t axis_bits = 2 * HalfRays::lines_bits + 1;
   static_assert(3 * axis_bits <= 64, "three axes fit");
 
-  /// A half, whatever the axis: its rays, and what its cells add to counts.
+  /// A half of any axis: its rays, and the counts of its cells.
   struct Kind {
     uint16_t rays;   ///< a place in `rays`
     uint16_t parts;  ///< a place in `parts`
   };
-  Kind kind[2][HalfRays::places];  ///< by half, and by lines and voxel, in the order above
+  Kind kind[2][HalfRays::places];  ///< by half, then by lines and voxel as above
 
   HalfRays rays[3][2][HalfRays::kinds];  ///< by axis and half
   uint64_t parts[120];                   ///< PartSum
 };
 
-/// What follows from the queue of a ray, for chains that arrive along it and for chains that leave.
-struct RayEnds {
-  /// From the voxel to the vertex, CornerCode::vector(), and `incoming` in its place.
+/// The properties of each queue, for arriving and leaving chains.
+struct QueueTraits {
+  /// CornerCode::vector() from the voxel to the vertex, with the arriving link.
   uint64_t vertex[queue_codes];
   Link incoming[queue_codes];
   uint32_t comes_from_ahead[queue_codes];  ///< all bits if the vertex before is visited later
 
-  /// From the voxel to a corner at the centroid behind the vertex, with its links.
+  /// CornerCode::vector() from the voxel to the corner at the centroid behind the vertex, with both
+  /// links.
   uint64_t centroid[queue_codes];
-  Link first[queue_codes];           ///< by which it leaves, to the next vertex or a centroid
+  Link first[queue_codes];           ///< the leaving link, to the next vertex or a centroid
   uint8_t turns[queue_codes];        ///< 1 if there is a corner at that centroid, else 0
   uint32_t goes_ahead[queue_codes];  ///< all bits if the vertex after is visited later
 
-  /// straight_in[a] equals straight_out[b] if a pass from queue a to queue b has no corner and
-  /// moves one end to another queue. It never does for a begin with a corner at the centroid before
-  /// the vertex. That begin may wait for the next slice, and its side to the centroid may be long.
+  /// straight_in[a] equals straight_out[b] if a pass from queue a to queue b has no corner, and
+  /// only moves an end to another queue. Such a pass moves no begin with a corner at the centroid
+  /// before the vertex. That begin may wait for the next slice, with a long side to the centroid.
   uint32_t straight_in[queue_codes], straight_out[queue_codes];
 
-  uint8_t number[queue_codes];                 ///< what the queue is in sector_table.hpp
-  QueueCode code[detail::trace::queue_count];  ///< and back
+  uint8_t number[queue_codes];                 ///< the number of the queue in sector_table.hpp
+  QueueCode code[detail::trace::queue_count];  ///< the inverse of `number`
 };
 
 extern const RayTable ray_table;
-extern const RayEnds ray_ends;
+extern const QueueTraits queue_traits;
 
 }  // namespace discmc::host
 

@@ -7,7 +7,7 @@ namespace {
 using detail::trace::SlabRole;
 
 // Whether the ring turns to the right at its last vertex.
-bool is_hole(const WholeRegion& region) {
+bool is_hole(const OneRingRegion& region) {
   return 2 * region.left_turn(0) > direction_count(region.incidence());
 }
 
@@ -44,13 +44,13 @@ bool Sweep::flush(const Sink& sink, Statistics& statistics) {
   return deliver(sink, statistics);
 }
 
-bool Sweep::settle_holes(const Sink& sink, Statistics& statistics) {
+bool Sweep::deliver_remaining_holes(const Sink& sink, Statistics& statistics) {
   if (keeps_nodes_) {
     if (!flush(sink, statistics)) return false;
     chains_.find_complete(slots());
     if (!deliver(sink, statistics)) return false;
   }
-  return Plain::settle_holes(sink, statistics);
+  return Plain::deliver_remaining_holes(sink, statistics);
 }
 
 uint32_t Sweep::left_triangle_parts() const {
@@ -67,7 +67,7 @@ void Sweep::take_edges(Statistics& statistics) {
 
 // ---- handing over ----
 
-// False when fragments that are complete have to go out first, or there is none.
+// Returns false if complete fragments must be delivered first, or if no room can be made.
 bool Sweep::make_room(const detail::trace::SweptRow& row) {
   const bool may_stay = row.z < CornerCode::max_slices;
   if (may_stay && chains_.has_room(slots())) return true;
@@ -76,7 +76,7 @@ bool Sweep::make_room(const detail::trace::SweptRow& row) {
   return !is_due_ && may_stay && chains_.make_room(slots());
 }
 
-// Below a slab there are only ends of others, which are lost to firmware's sweep.
+// Below a slab, all chains belong to another slab; the firmware's sweep counts their ends as lost.
 void Sweep::hand_over(const detail::trace::SweptRow& row) {
   keeps_nodes_ = false;
   if (row.role == SlabRole::below_slab) return chains_.give_all(slots());
@@ -91,7 +91,7 @@ bool Sweep::sweep_plain(const detail::trace::SweptRow& row, const BitIntake& int
   detail::trace::SweptRow rest = row;
   if (below_waits_ && row.is_own()) rest.role = SlabRole::inside;
   if (row.role == SlabRole::above_slab && handed_word_ > 0) {
-    // It is swept twice, either time from there.
+    // The row above a slab is swept twice; both sweeps begin at handed_word_.
     fragments_.set_below_is_lost(false);
     if (!chains_are_ended_) {
       if (!process_passes(row, intake, sink, statistics)) return false;
@@ -111,26 +111,26 @@ bool Sweep::sweep_plain(const detail::trace::SweptRow& row, const BitIntake& int
 
 // Delivers all that is due. False when the sink is busy.
 bool Sweep::deliver(const Sink& sink, Statistics& statistics) {
-  if (!delivery_.settle(fragments_, sink, statistics)) return false;
+  if (!delivery_.deliver(fragments_, sink, statistics)) return false;
   while (chains_.find_ring(slots()))
     if (!deliver_ring(sink, statistics)) return false;
   while (chains_.has_complete()) {
     chains_.put_out_complete(fragments_);
-    if (!delivery_.settle(fragments_, sink, statistics)) return false;
+    if (!delivery_.deliver(fragments_, sink, statistics)) return false;
   }
   is_due_ = false;
   return true;
 }
 
 // Whether holes wait on the plane of a ring.
-bool Sweep::may_have_holes(const WholeRegion& region) {
+bool Sweep::may_have_holes(const OneRingRegion& region) {
   const auto& holes = delivery_.holes();
   return holes.count() > 0 && holes.has_any(slots(), region.incidence(), region.start());
 }
 
 // The ring that was found as a region: it begins at its last vertex, as in Delivery. This vertex is
 // a corner.
-DISCMC_ALWAYS_INLINE WholeRegion Sweep::region_found(uint64_t& links) {
+DISCMC_ALWAYS_INLINE OneRingRegion Sweep::region_found(uint64_t& links) {
   uint64_t* const corner = chains_.corners();
   const uint32_t count = chains_.corner_count();
   DISCMC_LIMIT(count <= Chains::max_corners + 2);
@@ -150,10 +150,10 @@ DISCMC_ALWAYS_INLINE WholeRegion Sweep::region_found(uint64_t& links) {
 // Delivers the ring that was found.
 bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
   uint64_t links = 0;
-  const WholeRegion region = region_found(links);
+  const OneRingRegion region = region_found(links);
   if (region.corner_count() == 0 || is_hole(region) || may_have_holes(region)) {
     chains_.put_out_ring(fragments_);
-    return delivery_.settle(fragments_, sink, statistics);
+    return delivery_.deliver(fragments_, sink, statistics);
   }
   if ((receiver_.accept == nullptr ||
        receiver_.accept(receiver_.context, region) != SinkResult::accepted) &&
@@ -166,7 +166,7 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
 }
 
 // When the sink is busy, the ordinary delivery continues.
-bool Sweep::send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics) {
+bool Sweep::send_events(const OneRingRegion& region, const Sink& sink, Statistics& statistics) {
   uint32_t taken = discmc::send_events(region, [&](const Event& event) {
     return sink.accept(sink.context, event) == SinkResult::accepted;
   });

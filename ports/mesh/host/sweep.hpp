@@ -1,11 +1,10 @@
-// The sweep of a host: faster, and with the same events, while there is memory to spare.
+// The sweep of the extractor for PCs: faster, with the same events, as long as memory suffices.
 //
-// It keeps chains as nodes (chains.hpp). When too many slots would be in use, it hands them over to
-// the firmware's sweep, which continues.
+// Chains are nodes (chains.hpp). If they need too many slots, the firmware's sweep takes over.
 #ifndef DISCMC_MESH_HOST_SWEEP_HPP
 #define DISCMC_MESH_HOST_SWEEP_HPP
 
-#include "whole_region.hpp"
+#include "one_ring_region.hpp"
 
 #include <discmc/trace/sweep.hpp>
 #include "chains.hpp"
@@ -28,14 +27,15 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
   void set_room(const ChainRoom& room) { chains_.set_room(room); }
   void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();
-  /// May leave the last edges for later.
+  /// May keep the last edges for the next call.
   bool sweep(const detail::trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
              Statistics& statistics);
   bool flush(const Sink& sink, Statistics& statistics);
-  bool settle_holes(const Sink& sink, Statistics& statistics);
+  bool deliver_remaining_holes(const Sink& sink, Statistics& statistics);
 
-  /// What the statistics leave out of the triangles of classic Marching Cubes: the share of a slab
-  /// in cells at its seams. Units: CountParts::triangle to a triangle. Limit: after the last row.
+  /// Returns the fraction of a triangle of classic Marching Cubes that the statistics round down:
+  /// cells at a seam belong to two slabs. Units: CountParts::triangle per triangle. Limit: after
+  /// the last row.
   uint32_t left_triangle_parts() const;
 
  private:
@@ -47,17 +47,17 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
   void hand_over(const detail::trace::SweptRow& row);
   void take_edges(Statistics& statistics);
   bool deliver(const Sink& sink, Statistics& statistics);
-  bool may_have_holes(const WholeRegion& region);
+  bool may_have_holes(const OneRingRegion& region);
   bool deliver_ring(const Sink& sink, Statistics& statistics);
-  WholeRegion region_found(uint64_t& links);
-  bool send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics);
+  OneRingRegion region_found(uint64_t& links);
+  bool send_events(const OneRingRegion& region, const Sink& sink, Statistics& statistics);
 
   Slots& slots() { return fragments_.slots(); }
 
   bool keeps_nodes_ = false;
-  bool is_due_ = false;       // something may have to be delivered
-  bool below_waits_ = false;  // ends from below a slab wait in the queues, or were counted as lost
-  uint32_t handed_word_ = 0;  // where in a row chains were handed over
+  bool is_due_ = false;       // rings or complete fragments may wait for delivery
+  bool below_waits_ = false;  // queues hold ends from below a slab, or have lost some
+  uint32_t handed_word_ = 0;  // the word of a row at which chains were handed over
   RegionReceiver receiver_;
   Edges edges_;
   FoundPasses found_;

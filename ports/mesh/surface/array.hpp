@@ -12,8 +12,8 @@
 
 namespace discmc::meshing {
 
-/// As std::vector, of what may be moved byte by byte. It grows by realloc(): of large arrays only
-/// the addresses of pages change. Throws std::bad_alloc.
+/// Like std::vector, for trivially copyable values. It grows by realloc(), which only remaps the
+/// pages of a large array. Throws std::bad_alloc.
 template <class T>
 class Array {
  public:
@@ -40,12 +40,12 @@ class Array {
   const T& back() const { return data_[size_ - 1]; }
   T& back() { return data_[size_ - 1]; }
 
-  /// value: none of this array.
+  /// value: not in this array.
   void push_back(const T& value) {
     if (size_ == capacity_) grow(size_ + 1);
     data_[size_++] = value;
   }
-  /// values: none of this array.
+  /// values: not in this array.
   void append(const T* values, std::size_t count) {
     if (count == 0) return;
     if (size_ + count > capacity_) grow(size_ + count);
@@ -53,7 +53,7 @@ class Array {
     size_ += count;
   }
 
-  /// Values that are new are not written.
+  /// Leaves new values uninitialised.
   void resize(std::size_t size) {
     if (size > capacity_) grow(size);
     size_ = size;

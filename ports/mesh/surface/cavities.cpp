@@ -12,11 +12,11 @@
 namespace discmc::meshing {
 namespace {
 
-// From a point of a component a ray leaves along x. A body lies in a cavity if the ray leaves
-// cavities more often than it enters any, and a cavity in a body likewise.
+// A ray leaves a point of a component along x. A body lies in a cavity if the ray leaves cavities
+// more often than it enters them. The same holds for a cavity in a body.
 //
-// All coordinates are doubled, and a ray is a little beyond its integers: more along x than along
-// y, and more along y than z. So it meets no vertex and no side.
+// All coordinates are doubled, and a ray lies slightly beyond its integers: more along x than along
+// y, and more along y than z. So the ray meets no vertex and no side.
 using Doubled = std::int64_t;
 
 // The line of a ray: z first.
@@ -32,8 +32,8 @@ struct Start {
   }
 };
 
-// Where a line meets a polygon: 1 if a ray along x enters the inside of the surface there (out of a
-// cavity), else -1.
+// The point at which a line meets a polygon. Its sign is 1 if a ray along x enters the inside of
+// the surface, else -1.
 struct Meeting {
   std::size_t line;
   Doubled x;
@@ -45,7 +45,7 @@ struct Meeting {
   }
 };
 
-// The point near the middle of a link on a side: sides are of one surface alone.
+// Returns the point near the middle of a link on a side. No two components share a link.
 Start start_of(const Surface& surface, const Component& component, std::size_t number) {
   const Ring ring = surface.polygons[component.polygons[0]].rings[0];
   const Vertex& from = ring[0];
@@ -154,27 +154,27 @@ Rays rays_between(const Surface& surface, const std::vector<Component>& componen
 }  // namespace
 
 void fill_cavities(const Surface& surface, std::vector<Component>& components) {
-  std::vector<int> left(components.size());  // cavities
+  std::vector<int> depth(components.size());  // cavities around each body
   rays_between(surface, components, false)
-      .for_each_meeting([&](std::size_t body, const Meeting& met) { left[body] += met.enters; });
+      .for_each_meeting([&](std::size_t body, const Meeting& met) { depth[body] += met.enters; });
   std::size_t number = 0;
   components.erase(std::remove_if(components.begin(), components.end(),
                                   [&](const Component& component) {
-                                    return left[number++] > 0 || is_cavity(component);
+                                    return depth[number++] > 0 || is_cavity(component);
                                   }),
                    components.end());
 }
 
 std::vector<std::size_t> bodies_of(const Surface& surface,
                                    const std::vector<Component>& components) {
-  std::map<std::pair<std::size_t, std::size_t>, int> left;  // of a cavity and a body
+  std::map<std::pair<std::size_t, std::size_t>, int> depth;  // of a cavity in a body
   rays_between(surface, components, true)
       .for_each_meeting([&](std::size_t cavity, const Meeting& met) {
-        left[{cavity, met.component}] -= met.enters;
+        depth[{cavity, met.component}] -= met.enters;
       });
   std::vector<std::size_t> bodies(components.size());
   std::iota(bodies.begin(), bodies.end(), std::size_t{0});
-  for (const auto& [pair, count] : left) {
+  for (const auto& [pair, count] : depth) {
     if (count <= 0) continue;
     std::size_t& body = bodies[pair.first];
     if (body == pair.first || components[pair.second].volume_mm3 < components[body].volume_mm3)

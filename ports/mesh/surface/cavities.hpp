@@ -9,12 +9,12 @@
 
 namespace discmc::meshing {
 
-/// Takes the cavities out of the components of a closed surface, and the bodies inside them: what
-/// is left encloses what the outermost surfaces do.
+/// Removes cavities, and the bodies inside them, from the components of a closed surface. The
+/// outermost surfaces then enclose the whole volume.
 void fill_cavities(const Surface& surface, std::vector<Component>& components);
 
-/// For each component of a closed surface the body that it belongs to: a body to itself, a cavity
-/// to the innermost body around it. Numbers are places in `components`.
+/// Returns the body of each component of a closed surface: of a cavity the innermost body around
+/// it. Numbers are indexes of `components`.
 std::vector<std::size_t> bodies_of(const Surface& surface,
                                    const std::vector<Component>& components);
 

@@ -14,8 +14,8 @@
 namespace discmc::meshing {
 namespace {
 
-// A line of links, whichever way they run: its point next to a plane of the coordinates, and the
-// way to the next vertex.
+// A line of links of either direction: its point next to a coordinate plane, and the step to the
+// next vertex.
 struct Line {
   std::array<std::int64_t, 3> point;
   std::array<std::int32_t, 3> step;
@@ -26,7 +26,7 @@ struct Line {
   }
 };
 
-// A side of a polygon, and where it lies on its line.
+// A side of a polygon, by its line and its range on the line.
 struct LineSide {
   Line line;
   std::int32_t begin, end;  // Units: links
@@ -70,7 +70,7 @@ std::vector<LineSide> sorted_sides(const Surface& surface) {
 
 // Joins polygons whose sides share a link.
 void join_neighbours(const std::vector<LineSide>& sides, Sets& sets) {
-  const LineSide* farthest = nullptr;  // of those on the line so far
+  const LineSide* farthest = nullptr;  // the side on the line that ends farthest so far
   for (const LineSide& side : sides) {
     const bool is_beside = farthest != nullptr && farthest->line == side.line;
     if (is_beside && side.begin < farthest->end) sets.join(side.polygon, farthest->polygon);
@@ -78,7 +78,7 @@ void join_neighbours(const std::vector<LineSide>& sides, Sets& sets) {
   }
 }
 
-// Six times what the pyramid between a polygon and the origin encloses. Units: half-steps.
+// Returns six times the volume of the pyramid from a polygon to the origin. Units: half-steps.
 double six_volumes(const Polygon& polygon, const Vertex& origin) {
   double sum = 0;
   for (const Ring& ring : polygon.rings) {
@@ -114,7 +114,7 @@ std::vector<Component> components(const Surface& surface) {
   const auto& s = surface.spacing_mm;
   const double unit_mm3 = std::fabs(s[0] * s[1] * s[2]) / 8;
   for (Component& component : found) {
-    // The origin is near by, so that rounding does not count.
+    // The origin is near, so that rounding errors stay small.
     const Vertex origin = surface.polygons[component.polygons[0]].rings[0][0];
     double sum = 0;
     for (const std::uint32_t polygon : component.polygons)

@@ -1,4 +1,4 @@
-// What a surface consists of, as the paper's Table 1 counts it.
+// Counts of a surface, as in Table 1 of the paper.
 #ifndef DISCMC_MESH_SURFACE_COUNTS_HPP
 #define DISCMC_MESH_SURFACE_COUNTS_HPP
 
@@ -16,7 +16,7 @@ struct Counts {
   std::uint64_t of_three_corners = 0;  ///< regions
   std::uint64_t of_four_corners = 0;
   std::uint64_t of_more_corners = 0;
-  std::uint64_t normals = 0;  ///< corners that have one
+  std::uint64_t normals = 0;  ///< corners with a normal
 };
 
 inline Counts& operator+=(Counts& sum, const Counts& more) {

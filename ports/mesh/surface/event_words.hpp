@@ -1,4 +1,4 @@
-// Regions and loose fragments as 32-bit words: small enough to keep many of them.
+// Regions and loose fragments as 32-bit words, so that many fit in memory.
 #ifndef DISCMC_MESH_SURFACE_EVENT_WORDS_HPP
 #define DISCMC_MESH_SURFACE_EVENT_WORDS_HPP
 
@@ -10,17 +10,17 @@
 
 namespace discmc::meshing {
 
-/// Appends an event: a run takes a word, two with a normal; what has a vertex takes four; else one.
-/// Stores only the kind of `start`, `application` and `finish`.
+/// Appends an event: four words with a vertex, two for a run with a normal, else one. Stores only
+/// the kind of `start`, `application` and `finish`.
 void append_words(const Event& event, std::vector<std::uint32_t>& words);
 
-/// Reads events from words again, one after another.
+/// Reads events back from words.
 class EventWords {
  public:
-  /// words: Owner: the caller, as long as they are read.
+  /// words: Owner: the caller, during the reading.
   explicit EventWords(const std::vector<std::uint32_t>& words) : words_(words) {}
 
-  /// Whether there was one more, which is in `event` then.
+  /// Reads the next event. Returns false if there is none.
   bool next(Event& event);
 
  private:

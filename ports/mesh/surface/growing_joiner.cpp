@@ -29,7 +29,7 @@ SinkResult GrowingJoiner::accept(const Event& event) {
 }
 
 void GrowingJoiner::finish() {
-  // A joiner that was short of memory has another behind it, perhaps only since it finished.
+  // A joiner that ran short of memory has a successor, perhaps only since its finish.
   for (GrowingJoiner* joiner = this; joiner != nullptr; joiner = joiner->next_.get())
     static_cast<void>(joiner->joiner_.finish());
 }
@@ -50,12 +50,12 @@ SinkResult GrowingJoiner::pass(const Event& event) {
 }
 
 void GrowingJoiner::grow() {
-  // The joiners before this one have a third of its memory together.
+  // All joiners before this one together have a third of its memory.
   is_beyond_limit_ = limit_ && bytes_ + bytes_ / 3 + 4 * std::uint64_t{bytes_} > limit_->bytes;
   if (!is_beyond_limit_) next_ = std::make_unique<GrowingJoiner>(sink_, order_, 4 * bytes_, limit_);
 }
 
-// Returns whether the fragment that comes out has no partner. Else the joiner is short of memory.
+// Returns whether the leaving fragment has no partner. Otherwise the joiner ran short of memory.
 bool GrowingJoiner::update_unmatched() {
   const std::uint64_t before = unmatched_;
   unmatched_ = joiner_.report().unmatched;

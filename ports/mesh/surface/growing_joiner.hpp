@@ -1,4 +1,4 @@
-// A joiner with a host's memory: as much as the loose fragments need.
+// A joiner whose memory grows with the loose fragments.
 #ifndef DISCMC_MESH_SURFACE_GROWING_JOINER_HPP
 #define DISCMC_MESH_SURFACE_GROWING_JOINER_HPP
 
@@ -11,21 +11,21 @@
 
 namespace discmc::meshing {
 
-/// A sink before another: takes the events of scans and makes regions of the loose fragments
-/// among them. What finds no partner reaches the sink loose. A joiner that runs short of memory
-/// passes on what it holds; then the next one, with four times as much, continues.
+/// A sink before another sink. Accepts the events of scans, and makes regions of loose fragments.
+/// Fragments without partners reach the other sink loose. A joiner that runs short of memory sends
+/// all it holds to the next joiner, which has four times the memory.
 class GrowingJoiner {
  public:
   static constexpr std::size_t first_bytes = std::size_t{1} << 20;
 
-  /// What takes the place of a joiner that is too large: the sink that gets what would go to it.
+  /// The most memory, and the sink of all further events if joiners would need more.
   struct Limit {
     std::uint64_t bytes;  ///< of all joiners
     Sink beyond;
   };
 
-  /// sink: must take everything at once; Owner: the caller, as long as events are taken. order: as
-  /// of the Joiner. bytes: of the first joiner.
+  /// sink: accepts every event at once. Owner: the caller, as long as events come. order: as for
+  /// Joiner. bytes: memory of the first joiner.
   explicit GrowingJoiner(const Sink& sink, InputOrder order = InputOrder::sweep,
                          std::size_t bytes = first_bytes, std::optional<Limit> limit = {});
   GrowingJoiner(const GrowingJoiner&) = delete;
@@ -33,13 +33,13 @@ class GrowingJoiner {
 
   SinkResult accept(const Event& event);
 
-  /// Ends the events: a stream may break off before its `finish`.
+  /// Ends the events, even if a stream broke off before its `finish`.
   void finish();
 
-  /// Whether a loose fragment has come. Before, every region is whole.
+  /// Whether a loose fragment has come. Until then every region is whole.
   bool has_fragments() const { return has_fragments_; }
 
-  /// The totals of the `finish` event that the sink got; before it, zeroes.
+  /// Returns the totals of the `finish` event; zeroes before it.
   const Statistics& totals() const;
 
  private:
@@ -55,7 +55,7 @@ class GrowingJoiner {
   Joiner joiner_;
   bool has_fragments_ = false;
   Statistics totals_{};
-  std::uint64_t unmatched_ = 0;  // fragments that came out so
+  std::uint64_t unmatched_ = 0;  // fragments that left without a partner
   std::unique_ptr<GrowingJoiner> next_;
   bool is_beyond_limit_ = false;
 };

@@ -7,8 +7,8 @@
 
 namespace discmc::meshing {
 
-/// A sink that joins loose fragments and keeps the polygons, or their counts. Holds pointers to
-/// itself.
+/// A sink that joins loose fragments, and keeps the polygons or their counts. It points to itself,
+/// so it cannot be moved.
 class JoinedSurface {
  public:
   explicit JoinedSurface(Kept kept = Kept::polygons) : builder_(kept) {}
@@ -16,8 +16,8 @@ class JoinedSurface {
   JoinedSurface& operator=(const JoinedSurface&) = delete;
 
   SinkResult accept(const Event& event) { return joiner_.accept(event); }
-  /// A region in place of its events, unless fragments may have to be joined with it.
-  SinkResult accept_region(const WholeRegion& region) {
+  /// Accepts a region instead of its events. Answers `busy` if fragments may belong to it.
+  SinkResult accept_region(const OneRingRegion& region) {
     if (joiner_.has_fragments()) return SinkResult::busy;
     builder_.accept_region(region);
     return SinkResult::accepted;

@@ -1,4 +1,4 @@
-// Where the edges between voxels cross merged polygons.
+// The edges between voxels that cross merged polygons.
 #ifndef DISCMC_MESH_SURFACE_POLYGON_CROSSINGS_HPP
 #define DISCMC_MESH_SURFACE_POLYGON_CROSSINGS_HPP
 
@@ -15,9 +15,9 @@
 
 namespace discmc::meshing {
 
-/// Calls with the middle of each edge along an axis that crosses a polygon. An edge through a side
-/// or a corner crosses one of the polygons there. Edges count as moved by very little across the
-/// axis, more along the next axis than along the one after.
+/// Calls call(middle) for each edge along an axis that crosses a polygon. An edge through a side or
+/// a corner crosses only one of the polygons there. Such an edge counts as moved slightly across
+/// the axis, more along the next axis than along the third.
 template <class Call>
 void for_each_crossing(const Polygon& polygon, std::size_t axis, Call call) {
   using Turned = std::array<std::int32_t, 3>;  // from the axis on
@@ -60,8 +60,8 @@ void for_each_crossing(const Polygon& polygon, std::size_t axis, Call call) {
   }
 }
 
-/// The voxels that polygons enclose, if they are of a closed surface; negative of a cavity. Adds
-/// what one polygon contributes.
+/// Returns the share of one polygon in the number of voxels that a closed surface encloses. The sum
+/// is negative for a cavity.
 inline std::int64_t enclosed_voxels(const Polygon& polygon) {
   std::int64_t voxels = 0;
   const bool is_end = incidence_normal(polygon.incidence).x > 0;

@@ -13,11 +13,11 @@ struct Polygons::Placed {
 
 namespace {
 
-// Distributes items by their keys, in the order of keys. Items with the same key stay in order.
-// Returns where those of each key end.
+// Sorts items by their keys; items with equal keys keep their order. Returns the end of each key's
+// items.
 template <class Item, class KeyOf>
 std::vector<std::size_t> distribute(Array<Item>& items, std::size_t keys, KeyOf key_of) {
-  std::vector<std::size_t> ends(keys + 1);  // of each key: first the begin
+  std::vector<std::size_t> ends(keys + 1);  // at first the begins
   for (const Item& item : items) ++ends[key_of(item) + 1];
   for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
   Array<Item> distributed;
@@ -28,7 +28,7 @@ std::vector<std::size_t> distribute(Array<Item>& items, std::size_t keys, KeyOf 
   return ends;
 }
 
-// The least and the greatest.
+// The least and the greatest of some values.
 struct Range {
   std::int64_t low = std::int64_t{1} << 31, high = -low;
 
@@ -40,7 +40,7 @@ struct Range {
 
 }  // namespace
 
-// Polygons come nearly in this order: a row at a time, in layers of few coordinates z.
+// Polygons are nearly in order already, row by row, within layers of few coordinates z.
 void Polygons::sort() {
   constexpr std::int64_t max_layers = 1 << 11;
   Range z;

@@ -1,4 +1,4 @@
-// Merged polygons on the half-step lattice, all of them together in a few arrays.
+// Merged polygons on the half-step lattice, stored together in a few arrays.
 #ifndef DISCMC_MESH_SURFACE_POLYGONS_HPP
 #define DISCMC_MESH_SURFACE_POLYGONS_HPP
 
@@ -13,9 +13,9 @@
 
 namespace discmc::meshing {
 
-/// A simple ring by its corners: from each a straight side of links leads to the next, and from the
-/// last to the first. No vertex of a link is there twice. Units: half-steps. Owner: who has the
-/// corners.
+/// A simple ring by its corners. A straight side of links leads from each corner to the next, and
+/// from the last to the first. No vertex of a link recurs. Units: half-steps. Owner: the owner of
+/// the corners.
 class Ring {
  public:
   Ring(const Vertex* begin, const Vertex* end) : begin_(begin), end_(end) {}
@@ -48,7 +48,7 @@ class Rings {
 
    private:
     const Vertex* corners_;       // of all polygons
-    const std::uint32_t* begin_;  // where in them the ring begins; then, where the next one does
+    const std::uint32_t* begin_;  // the indexes of the ring's first corner, and of the next ring's
   };
 
   Rings(const Vertex* corners, const std::uint32_t* begins, std::size_t size)
@@ -58,7 +58,7 @@ class Rings {
   Iterator end() const { return {corners_, begins_ + size_}; }
   std::size_t size() const { return size_; }
   Ring operator[](std::size_t ring) const { return *Iterator(corners_, begins_ + ring); }
-  /// The corners of all rings, which lie one behind the other.
+  /// Returns the corners of all rings, which are consecutive.
   Ring corners() const { return {corners_ + begins_[0], corners_ + begins_[size_]}; }
 
  private:
@@ -75,7 +75,7 @@ struct Polygon {
   Rings rings;
 };
 
-/// Throws std::length_error where corners are more than 32 bits count.
+/// Throws std::length_error if 32 bits cannot count the corners.
 inline void require_numbers_for(std::size_t corners) {
   constexpr std::size_t max_corners = 0xFFFFFFFFu;
   if (corners > max_corners)
@@ -83,7 +83,7 @@ inline void require_numbers_for(std::size_t corners) {
                             " corners, the limit of a mesh; extract a part, or shrink the volume");
 }
 
-/// Polygons one behind the other. Limit: fewer than 2^32 corners, else std::length_error.
+/// A list of polygons. Limit: fewer than 2^32 corners, else std::length_error.
 class Polygons {
  public:
   class Iterator {
@@ -114,26 +114,26 @@ class Polygons {
             {corners_.data(), ring_begins_.data() + record.first_ring, record.rings}};
   }
 
-  /// The corners of all rings, in the order in which polygons were added.
+  /// Returns the corners of all rings, in the order of adding polygons.
   const Array<Vertex>& corners() const { return corners_; }
 
-  /// Adds a polygon that has no ring yet.
+  /// Adds a polygon without a ring.
   void add_polygon(Incidence incidence) {
     records_.push_back({static_cast<std::uint32_t>(ring_begins_.size() - 1), 0, incidence});
   }
-  /// Adds a ring to the last polygon, since it was added. ring: none of these polygons.
+  /// Adds a ring to the last added polygon. ring: not of this list.
   void add_ring(const Ring& ring) {
     require_numbers_for(corners_.size() + ring.size());
     corners_.append(ring.data(), ring.size());
     ring_begins_.push_back(static_cast<std::uint32_t>(corners_.size()));
     ++records_.back().rings;
   }
-  /// Adds a polygon of others.
+  /// Adds a polygon of another list.
   void push_back(const Polygon& polygon) {
     add_polygon(polygon.incidence);
     for (const Ring& ring : polygon.rings) add_ring(ring);
   }
-  /// Adds all polygons of others.
+  /// Adds all polygons of another list.
   void append(const Polygons& others) {
     require_numbers_for(corners_.size() + others.corners_.size());
     const auto first_ring = static_cast<std::uint32_t>(ring_begins_.size() - 1);
@@ -147,9 +147,8 @@ class Polygons {
     corners_.append(others.corners_.data(), others.corners_.size());
   }
 
-  /// Sorts polygons by the first corners of their outer rings, from below (precedes()), then by
-  /// their incidences and the other corners. Limit: each polygon has a ring. Cost: none of the
-  /// corners is moved.
+  /// Sorts polygons by the first corners of their outer rings (precedes()), then by their
+  /// incidences and the other corners. Limit: each polygon has a ring. Cost: no corner is moved.
   void sort();
 
  private:
@@ -167,7 +166,7 @@ class Polygons {
   void sort_rows(Array<Placed>& layer) const;
 
   Array<Record> records_;             // one per polygon
-  Array<std::uint32_t> ring_begins_;  // in corners_; one more than rings
+  Array<std::uint32_t> ring_begins_;  // indexes of corners_; one more than rings
   Array<Vertex> corners_;
 };
 

@@ -1,4 +1,4 @@
-// Which of many things hang together.
+// Disjoint sets: which of many things are connected.
 #ifndef DISCMC_MESH_SURFACE_SETS_HPP
 #define DISCMC_MESH_SURFACE_SETS_HPP
 
@@ -10,13 +10,13 @@
 
 namespace discmc::meshing {
 
-/// Sets of the numbers from 0 on, at first one each. A set is named by its lowest number.
+/// Sets of the numbers from 0, at first one number each. The name of a set is its lowest number.
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
-  /// The name of the set that has a number.
+  /// Returns the name of the set of a number.
   std::uint32_t name(std::uint32_t number) {
     while (parent_[number] != number) {
       parent_[number] = parent_[parent_[number]];

@@ -1,4 +1,4 @@
-// The surface as the command holds it: merged polygons on the half-step lattice.
+// The surface of a volume: merged polygons on the half-step lattice.
 #ifndef DISCMC_MESH_SURFACE_SURFACE_HPP
 #define DISCMC_MESH_SURFACE_SURFACE_HPP
 
@@ -24,20 +24,20 @@ struct VertexHash {
   }
 };
 
-/// A straight side as the link that it repeats.
+/// A straight side: a link, and the number of its repetitions.
 struct Side {
   discmc::Vertex link;
   std::int32_t links;
 };
 
-/// The links from one corner to another: each is two half-steps along one axis, or one half-step
-/// along each of two.
+/// Returns the number of links between two corners of a side. A link is two half-steps along one
+/// axis, or one half-step along each of two axes.
 inline std::int32_t links_between(const discmc::Vertex& from, const discmc::Vertex& to) {
   const discmc::Vertex way = to - from;
   return (std::abs(way.x) + std::abs(way.y) + std::abs(way.z)) / 2;
 }
 
-/// The side from one corner to another.
+/// Returns the side from one corner to another.
 inline Side side_between(const discmc::Vertex& from, const discmc::Vertex& to) {
   const discmc::Vertex way = to - from;
   const std::int32_t links = links_between(from, to);

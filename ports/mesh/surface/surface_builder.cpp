@@ -17,8 +17,7 @@ Vertex after_links(const Vertex& from, const Side& side, std::int32_t links) {
   return from + Vertex{links * side.link.x, links * side.link.y, links * side.link.z};
 }
 
-// Behind which link of a side a vertex lies; 0 where it lies beside the side, or at one of its
-// ends.
+// Returns the link of a side behind which a vertex lies; 0 if the vertex is not within the side.
 std::int32_t link_at(const Vertex& from, const Side& side, const Vertex& vertex) {
   const Vertex way = vertex - from;
   const std::int32_t link = side.link.x != 0   ? way.x / side.link.x
@@ -33,7 +32,7 @@ void begin_at_last(Iterator begin, Iterator end) {
   std::rotate(begin, std::max_element(begin, end, precedes), end);
 }
 
-// Whether the way through a vertex of a ring changes its direction there.
+// Whether a ring turns at one of its vertices.
 bool turns(const Vertex* vertices, std::uint32_t count, std::uint32_t i) {
   const Vertex& before = vertices[i > 0 ? i - 1 : count - 1];
   const Vertex& after = vertices[i + 1 < count ? i + 1 : 0];
@@ -81,7 +80,7 @@ SinkResult SurfaceBuilder::accept(const Event& event) {
   return SinkResult::accepted;
 }
 
-void SurfaceBuilder::accept_region(const WholeRegion& region) {
+void SurfaceBuilder::accept_region(const OneRingRegion& region) {
   incidence_ = region.incidence();
   rings_.clear();
   begin_polygon();
@@ -90,7 +89,7 @@ void SurfaceBuilder::accept_region(const WholeRegion& region) {
     add_touching_rings(0);
     return end_polygon();
   }
-  // It is an outer ring, and begins at its last vertex.
+  // This is an outer ring, and begins at its last vertex.
   simple_rings_.push_back({0, corners_.size()});
   keep_or_count();
 }
@@ -107,7 +106,7 @@ SurfaceBuilder::Chain SurfaceBuilder::chain(std::size_t ring) const {
   return {rings_[ring].start, runs_.data() + rings_[ring].first_run, runs_.data() + end};
 }
 
-// Whether a chain closes, and within the coordinates that a scan can have, which are of 32 bits.
+// Whether a chain closes, within the coordinates of a scan, which have 32 bits.
 bool SurfaceBuilder::is_sound(const Chain& chain) const {
   constexpr std::int64_t min_coordinate = -1, max_coordinate = (std::int64_t{1} << 31) - 3;
   std::int64_t x = chain.start.x, y = chain.start.y, z = chain.start.z;
@@ -126,9 +125,9 @@ bool SurfaceBuilder::is_sound(const Chain& chain) const {
   return is_always_inside && x == chain.start.x && y == chain.start.y && z == chain.start.z;
 }
 
-// Returns whether the ring turns to the left only. Most do, and are simple, as no ring of a sweep
-// crosses itself.
-bool SurfaceBuilder::add_corners(const WholeRegion& region) {
+// Returns whether the ring only turns left. Most rings do. They are simple, because no ring of a
+// sweep crosses itself.
+bool SurfaceBuilder::add_corners(const OneRingRegion& region) {
   const std::uint32_t count = region.corner_count(), round = direction_count(incidence_);
   std::uint32_t greatest = 0;
   corners_.resize(count);
@@ -140,7 +139,8 @@ bool SurfaceBuilder::add_corners(const WholeRegion& region) {
   return 2 * greatest < round;
 }
 
-// Returns whether the ring turns to one side only, and once round. Most do, and are simple.
+// Returns whether the ring only turns to one side, and winds once, which makes it simple. A stream
+// may hold any ring.
 bool SurfaceBuilder::add_corners(const Chain& chain) {
   if (chain.begin == chain.end) return false;
   const int round = direction_count(incidence_);
@@ -163,8 +163,8 @@ bool SurfaceBuilder::add_corners(const Chain& chain) {
   return left + right == round && (left == 0 || right == 0);
 }
 
-// Whether a ring meets no vertex twice: by a bit for each vertex of a window around it. Rings that
-// are larger are not looked at.
+// Whether a ring meets no vertex twice, by a bit for each vertex in a window around it. Returns
+// false for rings larger than the window.
 bool SurfaceBuilder::is_simple_in_window(std::size_t first_corner) const {
   if (first_corner == corners_.size()) return true;
   constexpr std::int64_t size = 64;
@@ -197,7 +197,7 @@ bool SurfaceBuilder::is_simple_in_window(std::size_t first_corner) const {
   return recurring == 0;
 }
 
-// The corners since the last one are a simple ring. It begins at its last vertex, as the rings of
+// Makes a simple ring of the corners since the last ring. It begins at its last vertex, as rings of
 // an extractor do.
 void SurfaceBuilder::end_ring() {
   const std::size_t begin = simple_rings_.empty() ? 0 : simple_rings_.back().end;
@@ -217,7 +217,8 @@ void SurfaceBuilder::collect_ends(const Chain& chain) {
   }
 }
 
-// Whether a vertex is an end twice. By a hash table with open addressing, half full at most.
+// Fills the hash table of ends, by open addressing, at most half full. Returns whether an end
+// recurs.
 bool SurfaceBuilder::index_ends() {
   std::size_t slots = 8;
   while (slots < 2 * ends_.size()) slots *= 2;
@@ -241,8 +242,8 @@ bool SurfaceBuilder::is_end(const Vertex& vertex) const {
   return false;
 }
 
-// Whether the ring under way has a vertex twice. It never crosses itself: of two passes through a
-// vertex one turns there, so that the vertex is one of its ends.
+// Whether a vertex of the ring recurs. A ring never crosses itself: one of two passes through a
+// vertex turns there, so the vertex is an end.
 bool SurfaceBuilder::find_touches() {
   const bool recurs = index_ends();
   vertices_.clear();
@@ -253,8 +254,8 @@ bool SurfaceBuilder::find_touches() {
   return recurs || vertices_.size() > ends_.size();
 }
 
-// The ends that a side passes through, in its order: found link by link or, if these are more, end
-// by end.
+// Adds the ends that a side passes through, in order: found link by link, or end by end if the side
+// has more links.
 void SurfaceBuilder::add_touches_of(const Vertex& from, const Side& side) {
   if (static_cast<std::size_t>(side.links) <= ends_.size()) {
     Vertex vertex = from;
@@ -272,8 +273,7 @@ void SurfaceBuilder::add_touches_of(const Vertex& from, const Side& side) {
   for (const std::int32_t link : touches_) vertices_.push_back(after_links(from, side, link));
 }
 
-// Divides a ring whose corners were added from first_corner on where it touches itself, by its
-// ends.
+// Divides a ring where it touches itself. Its corners were added from first_corner.
 void SurfaceBuilder::add_touching_rings(std::size_t first_corner) {
   if (!find_touches()) return end_ring();
   corners_.resize(first_corner);
@@ -305,7 +305,7 @@ bool SurfaceBuilder::put_outer_first() {
   return true;
 }
 
-// Sorts holes by their corners, so that the order in which they were closed does not count.
+// Sorts holes by their corners, so that the order of closing does not matter.
 void SurfaceBuilder::sort_holes() {
   if (simple_rings_.size() < 3) return;
   std::sort(simple_rings_.begin() + 1, simple_rings_.end(), [this](const Span& a, const Span& b) {

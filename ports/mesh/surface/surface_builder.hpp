@@ -1,4 +1,4 @@
-// A sink that puts a scan together again: regions whole, rings simple.
+// A sink that makes polygons of regions, with simple rings.
 #ifndef DISCMC_MESH_SURFACE_SURFACE_BUILDER_HPP
 #define DISCMC_MESH_SURFACE_SURFACE_BUILDER_HPP
 
@@ -8,16 +8,16 @@
 
 #include "array.hpp"
 #include "counts.hpp"
-#include "host/whole_region.hpp"
+#include "host/one_ring_region.hpp"
 #include "surface.hpp"
 
 namespace discmc::meshing {
 
-/// What a SurfaceBuilder keeps of regions: polygons, or their counts alone, which take no memory.
+/// What a SurfaceBuilder keeps of regions: polygons, or only counts, which need no memory.
 enum class Kept { polygons, counts };
 
-/// Takes events of an extractor or a decoder and always answers "taken". Loose fragments are to be
-/// joined before.
+/// Makes polygons of the events of an extractor or a decoder. Accepts every event. Limit: loose
+/// fragments have been joined.
 /// Memory: one region at a time, in proportion to its runs, not to its links. A few bytes of a
 /// hostile stream can encode any number of links.
 /// Errors: accept() and append() throw std::length_error beyond the limit of Polygons.
@@ -26,22 +26,22 @@ class SurfaceBuilder {
   explicit SurfaceBuilder(Kept kept = Kept::polygons) : kept_(kept) {}
 
   SinkResult accept(const Event& event);
-  /// Takes a region in place of its events.
-  void accept_region(const WholeRegion& region);
+  /// Accepts a region instead of its events.
+  void accept_region(const OneRingRegion& region);
 
   Kept kept() const { return kept_; }
 
-  /// Adds what another has kept, behind its own. Limit: both keep the same.
+  /// Appends the polygons or counts of another builder. Limit: both keep the same kind.
   void append(SurfaceBuilder&& other);
 
-  /// What has been delivered so far; spacing_mm is for the caller to set. A `finish` event sorts
-  /// the polygons: they do not depend on how the scan was divided, nor does their order.
+  /// Returns the surface so far; the caller sets spacing_mm. A `finish` event sorts the polygons,
+  /// so their order does not depend on the division of the scan.
   Surface& surface() { return surface_; }
   const Surface& surface() const { return surface_; }
   /// Limit: Kept::counts.
   const Counts& counts() const { return counts_; }
 
-  /// Regions and loose fragments that could not be made polygons of.
+  /// Returns the number of regions and loose fragments that gave no polygon.
   std::uint64_t incomplete_regions() const { return incomplete_regions_; }
 
  private:
@@ -49,14 +49,14 @@ class SurfaceBuilder {
     Vertex start;
     std::size_t first_run;
   };
-  // A ring of the region under way, by its runs.
+  // A ring of the current region, by its runs.
   struct Chain {
     Vertex start;
     const Run* begin;
     const Run* end;
   };
 
-  // A simple ring of the region under way, by its corners.
+  // A simple ring of the current region, by its corners.
   struct Span {
     std::size_t begin, end;
   };
@@ -66,7 +66,7 @@ class SurfaceBuilder {
   void end_polygon();
   Chain chain(std::size_t ring) const;
   bool is_sound(const Chain& chain) const;
-  bool add_corners(const WholeRegion& region);
+  bool add_corners(const OneRingRegion& region);
   bool add_corners(const Chain& chain);
   bool is_simple_in_window(std::size_t first_corner) const;
   void end_ring();
@@ -89,16 +89,17 @@ class SurfaceBuilder {
   Counts counts_;
   std::uint64_t incomplete_regions_ = 0;
   Incidence incidence_ = no_incidence;
-  // The region under way.
+  // The current region.
   std::vector<OpenRing> rings_;
   std::vector<Run> runs_;
-  std::vector<OctahedralNormal> normals_;  // where the runs start
+  std::vector<OctahedralNormal> normals_;  // at the starts of runs
   std::vector<Span> simple_rings_;
   Array<Vertex> corners_;
-  // Buffers of one ring; here to keep the memory.
-  std::vector<Vertex> ends_;          // its start and its corners
-  std::vector<std::uint32_t> slots_;  // their places, by a hash
-  std::vector<Vertex> vertices_;      // the ends, and where a side passes through another one
+  // Buffers of one ring, whose memory is kept.
+  std::vector<Vertex> ends_;          // the start and the corners of the ring
+  std::vector<std::uint32_t> slots_;  // indexes of ends, hashed
+  std::vector<Vertex>
+      vertices_;  // the ends, in order, also where a side passes through another end
   std::vector<std::int32_t> touches_;
   std::vector<std::uint32_t> scratch_;
 };

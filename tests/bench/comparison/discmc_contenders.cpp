@@ -20,7 +20,7 @@ struct Counter {
     if (event.kind == Event::Kind::fragment) ++fragments;
     return SinkResult::accepted;
   }
-  SinkResult accept_region(const WholeRegion&) {
+  SinkResult accept_region(const OneRingRegion&) {
     ++regions;
     return SinkResult::accepted;
   }
@@ -89,7 +89,7 @@ class Polygons {
     }
     return SinkResult::accepted;
   }
-  SinkResult accept_region(const WholeRegion& region) {
+  SinkResult accept_region(const OneRingRegion& region) {
     regions_.push_back({region.incidence(), rings_.size()});
     rings_.push_back({false, corners_.size()});
     for (uint32_t i = 0; i < region.corner_count(); ++i) corners_.push_back(region.corner(i));

@@ -23,19 +23,19 @@ TEST_CASE("the table of rays derived at run time equals that of the compiler") {
 }
 
 TEST_CASE("the ends of rays derived at run time equal those of the compiler") {
-  RayEnds ends{};
+  QueueTraits ends{};
   ends = derive_ends();
-  CHECK(are_same(ends.vertex, ray_ends.vertex));
-  CHECK(are_same(ends.incoming, ray_ends.incoming));
-  CHECK(are_same(ends.comes_from_ahead, ray_ends.comes_from_ahead));
-  CHECK(are_same(ends.centroid, ray_ends.centroid));
-  CHECK(are_same(ends.first, ray_ends.first));
-  CHECK(are_same(ends.turns, ray_ends.turns));
-  CHECK(are_same(ends.goes_ahead, ray_ends.goes_ahead));
-  CHECK(are_same(ends.straight_in, ray_ends.straight_in));
-  CHECK(are_same(ends.straight_out, ray_ends.straight_out));
-  CHECK(are_same(ends.number, ray_ends.number));
-  CHECK(are_same(ends.code, ray_ends.code));
+  CHECK(are_same(ends.vertex, queue_traits.vertex));
+  CHECK(are_same(ends.incoming, queue_traits.incoming));
+  CHECK(are_same(ends.comes_from_ahead, queue_traits.comes_from_ahead));
+  CHECK(are_same(ends.centroid, queue_traits.centroid));
+  CHECK(are_same(ends.first, queue_traits.first));
+  CHECK(are_same(ends.turns, queue_traits.turns));
+  CHECK(are_same(ends.goes_ahead, queue_traits.goes_ahead));
+  CHECK(are_same(ends.straight_in, queue_traits.straight_in));
+  CHECK(are_same(ends.straight_out, queue_traits.straight_out));
+  CHECK(are_same(ends.number, queue_traits.number));
+  CHECK(are_same(ends.code, queue_traits.code));
 }
 
 TEST_CASE("directions of planes derived at run time equal those of the compiler") {

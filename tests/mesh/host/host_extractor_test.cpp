@@ -210,7 +210,7 @@ struct EverySecond {
   EventLog& log;
   uint32_t offered = 0;
 
-  SinkResult accept_region(const WholeRegion& region) {
+  SinkResult accept_region(const OneRingRegion& region) {
     if (++offered % 2 == 0) return SinkResult::busy;
     send_events(region,
                 [this](const Event& event) { return log.accept(event) == SinkResult::accepted; });
@@ -463,13 +463,13 @@ TEST_CASE("a host extractor sends the same events wherever fragments are handed 
   }
 }
 
-TEST_CASE("long sides are handed over, too") {
+TEST_CASE("a side longer than a run is handed over within a row") {
   const BitVolume volume = walls({1400, 900, 2});
   HandingOver scan(volume, Border::closed);
   for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U}) scan.check(beyond);
 }
 
-TEST_CASE("long sides across all rows of a slice, above a row of noise, are handed over") {
+TEST_CASE("a side across all rows of a slice, above a row of noise, is handed over") {
   // The side is longer than the range of places, which repeat after 8192 links.
   constexpr uint32_t size = 2000;
   BitVolume slope({size, size, 1});
@@ -487,7 +487,7 @@ TEST_CASE("long sides across all rows of a slice, above a row of noise, are hand
   }
 }
 
-TEST_CASE("long sides that turn upwards at a centroid are handed over") {
+TEST_CASE("a long side that turns upwards at a centroid is handed over") {
   // The side is longer than the range of places, which repeat after 8192 links. The noise comes
   // while the end of the side waits for the slice in which it turns.
   constexpr uint32_t size = 850;
@@ -514,7 +514,7 @@ TEST_CASE("long sides that turn upwards at a centroid are handed over") {
   }
 }
 
-TEST_CASE("long sides across all slices of a slab are handed over") {
+TEST_CASE("a side across all slices of a slab is handed over") {
   // The side is longer than the range of places, which repeat after 8192 links.
   constexpr uint32_t size = 2100;
   BitVolume slope({size, 1, size});

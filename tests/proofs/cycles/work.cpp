@@ -1,7 +1,7 @@
 // The scans whose cycles are estimated, the same on every processor, and the work of a device in
 // each. The costs are fitted to some of the scans, and checked against the others.
 //
-// Real scans come from files, where these are: head.raw, 256x256x113 samples of 16 bits, and
+// Real scans come from files, if these exist: head.raw, 256x256x113 samples of 16 bits, and
 // engine.raw, 256x256x128 of 8 bits.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
@@ -27,7 +27,7 @@ static int32_t square(int32_t value) {
 static uint8_t on_where(bool is_on) {
   return is_on ? UINT8_MAX : 0;
 }
-// A number of 32 bits by chance, the same for the same voxel: what ends MurmurHash3.
+// Hashes a voxel, by the finalizer of MurmurHash3.
 static uint32_t hash(int32_t x, int32_t y, int32_t z) {
   auto mixed = static_cast<uint32_t>((z * 256 + y) * 256 + x);
   mixed = (mixed ^ mixed >> 16) * 0x85ebca6b;

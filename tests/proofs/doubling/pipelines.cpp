@@ -50,7 +50,7 @@ class Running {
   Part before_;
 };
 
-// A sink in front of a part: events are the work of this part and of the one before it. Only an
+// A sink before a part. Counts its events as the work of this part and of the part before. Only an
 // extractor follows each link.
 template <class Next>
 class Metered {
@@ -65,7 +65,7 @@ class Metered {
     const Running running_part(part_);
     return next_.accept(event);
   }
-  SinkResult accept_region(const WholeRegion& region) {
+  SinkResult accept_region(const OneRingRegion& region) {
     efforts->of[part_].work += 3 + region.corner_count();
     efforts->of[before_].work += 3 + region.corner_count();
     for (uint32_t i = 0; i < region.corner_count(); ++i)
@@ -81,7 +81,7 @@ class Metered {
 
 struct Nowhere {
   SinkResult accept(const Event&) { return SinkResult::accepted; }
-  SinkResult accept_region(const WholeRegion&) { return SinkResult::accepted; }
+  SinkResult accept_region(const OneRingRegion&) { return SinkResult::accepted; }
 };
 
 // ---- behind an extractor ----

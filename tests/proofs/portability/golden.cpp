@@ -211,7 +211,7 @@ class Wire {
 
 // ---- scans ----
 
-// The least; memory for a part, which is answered by loose fragments; and for most of it.
+// The least memory; memory for a part, which makes loose fragments; and for most of the scan.
 constexpr Capacities rooms[] = {minimum_capacities(), {100, 4}, {200, 0}, {400, 30}};
 constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Border::open}};
 

@@ -109,7 +109,7 @@ class Surface {
     translate(at_, incidence_, last_, run.length());
   }
 
-  // What a ring is: its corners.
+  // Adds the corners of a ring to its hash.
   void turn(Direction in, Direction out, const Vertex& corner) {
     if (in == out) return;
     const auto part = [](int32_t value) {

@@ -80,7 +80,7 @@ TEST_CASE("memory on the stack is never poisoned") {
   Items pool;
   pool.start(items, 40);
   pool.clear();
-  pool.give(pool.allocate());
+  pool.release(pool.allocate());
   CHECK(sum_of(items, sizeof items) == 0);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("free slots are poisoned, both unused and released ones") {
   CHECK(heap.pool.allocate_fresh(3) == 2);
   for (uint32_t i = 1; i <= 4; ++i) CHECK(!heap.is_free(i));
   CHECK(heap.is_free(5));
-  heap.pool.give(3);
+  heap.pool.release(3);
   CHECK(heap.is_free(3));
   CHECK(!heap.is_free(4));
   CHECK(heap.pool.allocate() == 3);
@@ -158,10 +158,10 @@ TEST_CASE("misuse of a pool aborts, such as releasing a slot twice or reading a 
   HeapItems heap(8);
   Items& pool = heap.pool;
   for (int i = 0; i < 5; ++i) (void)pool.allocate();
-  pool.give(2);
-  CHECK(is_fatal([&] { pool.give(2); }));        // given back already
-  CHECK(is_fatal([&] { pool.give(6); }));        // never taken
-  CHECK(is_fatal([&] { pool.give(no_slot); }));  // none
+  pool.release(2);
+  CHECK(is_fatal([&] { pool.release(2); }));        // given back already
+  CHECK(is_fatal([&] { pool.release(6); }));        // never taken
+  CHECK(is_fatal([&] { pool.release(no_slot); }));  // none
   CHECK(is_fatal([&] { pool[2].payload = 1; }));
   CHECK(is_fatal([&] { pool[6].payload = 1; }));
   CHECK(is_fatal([&] { pool[no_slot].payload = 1; }));
@@ -170,7 +170,7 @@ TEST_CASE("misuse of a pool aborts, such as releasing a slot twice or reading a 
   CHECK(!is_fatal([&] {
     pool.reserve(4);
     pool.unreserve(4);
-    pool.give(1);
+    pool.release(1);
     pool[5].payload = 1;
   }));
 }

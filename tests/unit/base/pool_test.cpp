@@ -46,7 +46,7 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
     } else if (!taken.empty()) {
       const size_t place = (seed >> 8) % taken.size();
       CHECK(pool[taken[place]].payload == taken[place] * 3U);
-      pool.give(taken[place]);
+      pool.release(taken[place]);
       taken.erase(taken.begin() + static_cast<std::ptrdiff_t>(place));
     }
     peak = taken.size() > peak ? static_cast<uint32_t>(taken.size()) : peak;
@@ -68,7 +68,7 @@ TEST_CASE("a pool provides each slot once, then no_slot") {
   CHECK(pool.allocate() == no_slot);
   CHECK(pool.in_use() == 5);
   CHECK(pool.available() == 0);
-  pool.give(3);
+  pool.release(3);
   CHECK(pool.allocate() == 3);
   CHECK(pool.allocate() == no_slot);
 }
@@ -76,8 +76,8 @@ TEST_CASE("a pool provides each slot once, then no_slot") {
 TEST_CASE("the last released slot is reused first") {
   StartedPool<uint32_t> pool(8);
   for (uint32_t i = 1; i <= 6; ++i) CHECK(pool.allocate() == i);
-  pool.give(1);
-  pool.give(4);
+  pool.release(1);
+  pool.release(4);
   CHECK(pool.allocate() == 4);
   CHECK(pool.allocate() == 1);
   CHECK(pool.allocate() == 7);
@@ -86,7 +86,7 @@ TEST_CASE("the last released slot is reused first") {
 TEST_CASE("clear() releases all slots and resets the peak") {
   StartedPool<uint16_t> pool(4);
   for (int i = 0; i < 4; ++i) pool.allocate();
-  pool.give(2);
+  pool.release(2);
   CHECK(pool.peak() == 4);
   pool.clear();
   CHECK(pool.in_use() == 0);
@@ -121,7 +121,7 @@ TEST_CASE("random operations never assign a slot twice or lose one") {
 
 TEST_CASE("a pool provides contiguous fresh slots while enough of them are unused") {
   StartedPool<uint16_t> pool(10);
-  pool.give(pool.allocate());
+  pool.release(pool.allocate());
   CHECK(pool.allocate_fresh(10) == no_slot);
   CHECK(pool.allocate_fresh(4) == 2);
   CHECK(pool.in_use() == 4);
@@ -130,7 +130,7 @@ TEST_CASE("a pool provides contiguous fresh slots while enough of them are unuse
   CHECK(pool.allocate_fresh(5) == no_slot);
   CHECK(pool.allocate_fresh(4) == 6);
   CHECK(pool.available() == 0);
-  for (uint16_t index = 2; index < 10; ++index) pool.give(index);
+  for (uint16_t index = 2; index < 10; ++index) pool.release(index);
   CHECK(pool.allocate_fresh(2) == no_slot);
   CHECK(pool.allocate_fresh(1) == 10);
 }

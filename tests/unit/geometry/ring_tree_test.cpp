@@ -255,7 +255,7 @@ TEST_CASE("two sides that begin at one vertex are apart just above it") {
   CHECK(crossing_above({1, 1, 0}) == 16 * 5 + 1);
 }
 
-TEST_CASE("a tree of rings in order, or of equal rings, is hardly deeper than one by chance") {
+TEST_CASE("a tree of sorted or equal rings is about as deep as one of random rings") {
   for (const int32_t step : {0, 1}) {
     Rings rings;
     RingTree<Rings> tree;

@@ -410,7 +410,7 @@ TEST_CASE("an application record contains the slice and row of its writing") {
   CHECK(event.application->bytes[1] == 0xFE);
 }
 
-TEST_CASE("counts of pieces and packet numbers wrap, and half of them lie behind") {
+TEST_CASE("piece counts and packet numbers wrap, and half of their range counts as repeated") {
   const auto is_taken = [](uint8_t number, uint16_t pieces) {
     Bytes stream = stream_of({});
     const Bytes frame = frame_of({records_kind, number, pieces, payload_of([](auto&) {})});

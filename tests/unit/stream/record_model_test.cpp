@@ -110,7 +110,7 @@ TEST_CASE("rows of shares fill their table, and every valid symbol has a share")
   CHECK(shares[at] == 0);
 }
 
-TEST_CASE("the shares are those of version 1") {
+TEST_CASE("the frequencies of symbols equal those of version 1") {
   CHECK(detail::wire::version == 1);
   CHECK(reference::broken(reference::model_table()) == nullptr);
 }

@@ -134,7 +134,7 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and at the end if no ring encl
     CHECK(is_on(ring.start.z));
     CHECK(holes.mark(slots, ring) == 1);
     holes.remove(slots, ring.last, start);
-    detail::trace::RunLists<Index, NoNormal>::give(slots, ring.last);
+    detail::trace::RunLists<Index, NoNormal>::release(slots, ring.last);
     CHECK(start == ring.start);
     CHECK(!is_on(start.z));
     CHECK(slots.in_use() == (left - 1) * slots_each_hole);

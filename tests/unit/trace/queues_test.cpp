@@ -35,7 +35,7 @@ class Ends {
   // Removes the next entry: an end, which is given back, or no_slot.
   Index pop() {
     const Index end = queues_.pop(pool_, number);
-    if (end != no_slot) pool_.give(end);
+    if (end != no_slot) pool_.release(end);
     return end;
   }
   // Pops lost ends up to the first other end, at most `most`. Returns their number.

@@ -98,7 +98,7 @@ TEST_CASE("a released list leaves no slot in use") {
     Pooled pooled;
     const List kept = list_of(pooled, 4, 0);
     const uint32_t in_use = pooled.slots.in_use();
-    Lists::give(pooled.slots, list_of(pooled, runs, 0).last);
+    Lists::release(pooled.slots, list_of(pooled, runs, 0).last);
     CHECK(pooled.slots.in_use() == in_use);
     kept.check(pooled);
   }

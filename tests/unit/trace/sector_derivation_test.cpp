@@ -14,7 +14,7 @@
 namespace discmc::detail::trace {
 namespace {
 
-TEST_CASE("the sector table derived at run time is right") {
+TEST_CASE("the sector table derived at run time has the right sectors") {
   SectorTable table{};
   table = derive::sector_table();  // as an initialised table, the compiler would derive it
   CHECK(reference::broken(table) == nullptr);

@@ -70,7 +70,7 @@ void scale_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& fr
 
 // Offsets that begin with 0 are distances along the normal from the first frame. Offsets that begin
 // with the position's z are z in the patient's space (DICOM PS3.3 C.8.8.3.2).
-NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
+RejectReason place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
   const auto first = real_of(dataset, DCM_GridFrameOffsetVector);
   if (!first || !frames.front().place) return {};
   constexpr double rounding_mm = 0.01;
@@ -112,7 +112,7 @@ std::optional<DicomPlace> detector_place(DcmItem& dataset, std::uint32_t frame) 
                   reals_of<6>(element_of(*item, DCM_ImageOrientationPatient)));
 }
 
-NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+RejectReason place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   const std::string type = text_of(dataset, DCM_ImageType) + '\\';
   for (const char* const planar :
        {"STATIC", "DYNAMIC", "WHOLE BODY", "GATED", "TOMO", "GATED TOMO"})
@@ -138,7 +138,7 @@ bool have_own_positions(DcmItem& dataset) {
          first.grouped_element(DCM_PlanePositionVolumeSequence, DCM_ImagePositionVolume) != nullptr;
 }
 
-NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+RejectReason place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   if (image.modality == "NM") return place_nuclear(dataset, image, frames);
   if (image.modality == "RTDOSE") scale_dose(dataset, image, frames);
   if (real_of(dataset, DCM_GridFrameOffsetVector)) return place_by_offsets(dataset, frames);

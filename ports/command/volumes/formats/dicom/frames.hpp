@@ -15,7 +15,7 @@ bool have_own_positions(DcmItem& dataset);
 
 /// Moves each frame to its position, if the file has one position for all. Adds assumptions to the
 /// notes of the image. Returns why this is impossible, or nothing.
-NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+RejectReason place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 /// Whether a file holds a mosaic of Siemens, or the similar one of United Imaging.
 bool is_mosaic(DcmItem& dataset);
@@ -27,6 +27,6 @@ bool is_mosaic(DcmItem& dataset);
 /// that of a picture as large as the mosaic, centred on the first slice. SliceNormalVector in the
 /// CSA header is the direction to the next slice (nibabel's "Siemens mosaic format" and dcm2niix
 /// agree).
-NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+RejectReason unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 }  // namespace discmc::command

@@ -97,7 +97,7 @@ DicomFrame frame(DcmItem& dataset, const std::shared_ptr<const DicomImage>& imag
 
 // Checks the decimals that define positions. Some programs write a decimal comma. Returns the
 // invalid one, or nothing.
-NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
+RejectReason check_decimals(DcmItem& dataset, DicomImage& image) {
   const Attributes attributes(dataset, 0);
   const std::pair<DcmTagKey, DcmTagKey> decimals[] = {
       {DCM_PixelMeasuresSequence, DCM_PixelSpacing},
@@ -142,7 +142,7 @@ std::optional<std::int32_t> padding_of(DcmItem& dataset, bool is_signed) {
 }
 
 // Returns the kind of samples that are not grey values, or nothing.
-NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
+RejectReason set_samples(DcmItem& dataset, DicomImage& image) {
   const std::string photometric = text_of(dataset, DCM_PhotometricInterpretation);
   image.channels = whole_of(dataset, DCM_SamplesPerPixel).value_or(1);
   image.is_planar = whole_of(dataset, DCM_PlanarConfiguration) == 1U;
@@ -223,8 +223,8 @@ void drop_slopes_of_zero(DicomImage& image, std::vector<DicomFrame>& frames) {
 }
 
 // Reads all frames. Returns why they are not slices, or nothing.
-NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
-                    std::vector<DicomFrame>& frames) {
+RejectReason set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
+                        std::vector<DicomFrame>& frames) {
   Sint32 count = 0;
   if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad() || count == 0) count = 1;
   if (count < 1 || static_cast<std::uint32_t>(count) > max_frames)
@@ -238,7 +238,7 @@ NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
 }
 
 // Returns the packing of the pixels if it is unsupported, or nothing.
-NoSlices unread_packing(DcmFileFormat& file) {
+RejectReason unread_packing(DcmFileFormat& file) {
   const std::string uid = text_of(*file.getMetaInfo(), DCM_TransferSyntaxUID);
   if (uid.empty() || can_decode(uid)) return {};
   const auto is_one_of = [&uid](std::initializer_list<const char*> begins) {
@@ -261,8 +261,8 @@ NoSlices unread_packing(DcmFileFormat& file) {
 }
 
 // Returns the content of a file without slices, or nothing.
-NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
-                    std::vector<DicomFrame>& frames) {
+RejectReason read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
+                        std::vector<DicomFrame>& frames) {
   image->rows = whole_of(dataset, DCM_Rows).value_or(0);
   image->columns = whole_of(dataset, DCM_Columns).value_or(0);
   set_encoding(dataset);
@@ -271,7 +271,7 @@ NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
   if (is_encapsulated(syntax)) image->compression = DcmXfer(syntax).getXferName();
   if (dataset.tagExists(DCM_SegmentationType)) image->segments = segments_of(dataset);
   for (const auto& step : {set_samples, check_decimals})
-    if (NoSlices instead = step(dataset, *image)) return instead;
+    if (RejectReason instead = step(dataset, *image)) return instead;
   set_names(dataset, *image);
   return set_frames(dataset, image, frames);
 }

@@ -140,7 +140,7 @@ struct DicomFrame {
 
 /// The content of a file without slices, such as "a colour image", and the remedy; empty for
 /// slices.
-struct NoSlices {
+struct RejectReason {
   std::string what;
   std::string remedy = "give images of a CT, an MRI or the like, with one grey value per voxel";
 
@@ -150,7 +150,7 @@ struct NoSlices {
 /// The content of a file.
 struct DicomContent {
   std::vector<DicomFrame> frames;
-  NoSlices instead;
+  RejectReason instead;
   /// Whether the file is a DICOMDIR, a list of files.
   bool is_directory = false;
 };
@@ -159,9 +159,9 @@ struct DicomContent {
 DicomContent dicom_content(const std::filesystem::path& file);
 
 /// Names the format of a file that is not DICOM by its first bytes; otherwise returns nothing.
-NoSlices foreign_content(const std::filesystem::path& file);
+RejectReason foreign_content(const std::filesystem::path& file);
 
 /// Names the content of a data set without an image.
-NoSlices without_image(DcmItem& dataset);
+RejectReason without_image(DcmItem& dataset);
 
 }  // namespace discmc::command

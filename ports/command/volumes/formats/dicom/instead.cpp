@@ -11,7 +11,7 @@
 namespace discmc::command {
 namespace {
 
-NoSlices contours(DcmItem& dataset) {
+RejectReason contours(DcmItem& dataset) {
   constexpr int max_shown = 20;
   std::string names;
   DcmItem* contour = nullptr;
@@ -28,7 +28,7 @@ NoSlices contours(DcmItem& dataset) {
 
 }  // namespace
 
-NoSlices foreign_content(const std::filesystem::path& file) {
+RejectReason foreign_content(const std::filesystem::path& file) {
   ByteStream stream(file);
   const std::string_view head = stream.peek(magic_bytes);
   const VolumeFormat* const format = is_dicom_head(head) ? nullptr : format_of_head(head);
@@ -40,7 +40,7 @@ NoSlices foreign_content(const std::filesystem::path& file) {
                                         : std::string(format->remedy)};
 }
 
-NoSlices without_image(DcmItem& dataset) {
+RejectReason without_image(DcmItem& dataset) {
   if (dataset.tagExists(DCM_StructureSetROISequence)) return contours(dataset);
   const std::string document = text_of(dataset, DCM_MIMETypeOfEncapsulatedDocument);
   if (!document.empty())

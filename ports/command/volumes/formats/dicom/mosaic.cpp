@@ -173,7 +173,7 @@ bool is_mosaic(DcmItem& dataset) {
          (is_united_imaging_grid(dataset) || count_of_slices(dataset, csa_header(dataset)) > 1);
 }
 
-NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+RejectReason unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   const std::string remedy = "convert it to NIfTI, e.g. with dcm2niix";
   if (is_united_imaging_grid(dataset))
     return {"a grid of slices in one picture (United Imaging)", remedy};

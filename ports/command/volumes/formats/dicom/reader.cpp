@@ -78,7 +78,7 @@ void require_possible(const DicomImage& image) {
 
 struct FoundFrames {
   std::vector<DicomFrame> frames;
-  std::vector<NoSlices> skipped;  ///< content of each file without slices
+  std::vector<RejectReason> skipped;  ///< content of each file without slices
   bool is_directory = false;
 };
 
@@ -119,10 +119,10 @@ bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
 }
 
 // Returns a list such as "a colour image (2); a video".
-std::string list_of(const std::vector<NoSlices>& skipped) {
+std::string list_of(const std::vector<RejectReason>& skipped) {
   constexpr std::size_t max_kinds = 8;
   std::map<std::string, std::size_t> kinds;
-  for (const NoSlices& each : skipped) {
+  for (const RejectReason& each : skipped) {
     const bool is_listed = kinds.size() < max_kinds || kinds.count(each.what) > 0;
     ++kinds[is_listed ? each.what : "others"];
   }

@@ -16,7 +16,7 @@ constexpr bool loads_plugins = true;
 #endif
 
 // Silences the library, because discmc reports errors itself. The setting is per thread.
-void be_silent() {
+void disable_error_output() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   if (!loads_plugins) H5PLset_loading_state(0);
 }
@@ -145,7 +145,7 @@ Hdf5Handle file_access() {
 }
 
 Hdf5Handle open_hdf5_file(const std::filesystem::path& file) {
-  be_silent();
+  disable_error_output();
   register_hdf5_filters();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
@@ -189,7 +189,7 @@ void Hdf5Dataset::expect(const Hdf5Handle& file, const Hdf5Region& region) {
 }
 
 bool Hdf5Dataset::read(const Hdf5Region& first, const Hdf5Region& count, void* samples) const {
-  be_silent();  // any thread may read slices
+  disable_error_output();  // any thread may read slices
   const Hdf5Handle space = space_of(dataset_);
   const Hdf5Handle region(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
                           H5Sclose);
