@@ -5,7 +5,7 @@
 namespace discmc::meshing {
 namespace {
 
-// Whether two sides have a point in common. Limit: so have the boxes around them.
+// Whether two sides have a point in common. Limit: the boxes around them have one.
 bool meet(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
   const auto on_both_sides = [](std::int64_t one, std::int64_t other) {
     return ((one ^ other) < 0) | (one == 0) | (other == 0);
@@ -84,11 +84,14 @@ bool Ears::is_simple(const std::vector<PlanePoint>& points) {
   const auto meet_at = [&](std::size_t i, std::size_t j) {
     return meet(point(i), point(i + 1), point(j), point(j + 1));
   };
+  if (count == 3) return true;
   set_boxes(points);
   // Half of these are near each other: no branch depends on it.
   bool is_crossed = false;
-  for (std::size_t i = 0; i < count && count > 3; ++i)
-    is_crossed |= are_near(i, i + 2) & meet_at(i, i + 2);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_near = are_near(i, i + 2), meets = meet_at(i, i + 2);
+    is_crossed |= is_near & meets;
+  }
   if (is_crossed) return false;
   for (std::size_t apart = 3; 2 * apart <= count; ++apart)
     for (std::size_t i = 0; i < count; ++i)

@@ -1,5 +1,6 @@
 #include "descriptions.hpp"
 
+#include "text/words.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/header_fields.hpp"
 #include "volumes/volume_error.hpp"
@@ -16,7 +17,6 @@
 #include <system_error>
 
 #include "text/number_text.hpp"
-#include "text/words.hpp"
 #endif
 
 namespace discmc::command {
