@@ -63,10 +63,11 @@ std::int64_t count_voxels(const Surface& surface) {
   return voxels;
 }
 
-MeshingOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& output) {
+MeshingOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& output,
+                          unsigned jobs) {
   MeshingOptions options = arguments.mesh;
   options.crossings = output.crossings;
-  options.jobs = jobs_of(arguments);
+  options.jobs = jobs;
   return options;
 }
 
@@ -102,38 +103,38 @@ std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>&
   return names;
 }
 
-std::optional<FileMesh> MeshFiles::made_ahead(const SurfaceOutput& output) const {
-  const bool is_written_later =
-      format_of(output.file) == Format::jsonl || (!are_one_ && may_write_parts(output));
-  if (is_written_later || arguments_.lists_bodies) return std::nullopt;
-  MeshingOptions options = options_of(arguments_, output);
-  options.jobs = 1;
-  FileMesh mesh = triangulated(output.surface, options);
+FileMesh MeshFiles::made(const SurfaceOutput& output, unsigned jobs) const {
+  FileMesh mesh = triangulated(output.surface, options_of(arguments_, output, jobs));
   if (arguments_.decimation.is_wanted()) decimate(mesh, arguments_.decimation);
   return mesh;
 }
 
-MeshSummary MeshFiles::add(const SurfaceOutput& output, Made made) {
-  MeshSummary summary =
-      are_one_ ? keep(output, std::move(made)) : write_alone(output, std::move(made));
+void MeshFiles::make_ahead(SurfaceOutput& output) const {
+  const bool is_written_later =
+      format_of(output.file) == Format::jsonl || (!are_one_ && may_write_parts(output));
+  if (!is_written_later && !arguments_.lists_bodies) output.made = made(output, 1);
+}
+
+MeshSummary MeshFiles::add(SurfaceOutput output) {
+  MeshSummary summary = are_one_ ? keep(output) : write_alone(output);
   output.surface = {};  // frees memory for the next mesh
   return summary;
 }
 
-MeshSummary MeshFiles::write_alone(const SurfaceOutput& output, Made made) {
-  if (file_) return write(output, std::move(made), *file_);
+MeshSummary MeshFiles::write_alone(SurfaceOutput& output) {
+  if (file_) return write(output, *file_);
   OutputFile file(output.file);
-  return write(output, std::move(made), file);
+  return write(output, file);
 }
 
-MeshSummary MeshFiles::write(const SurfaceOutput& output, Made made, OutputFile& file) const {
+MeshSummary MeshFiles::write(SurfaceOutput& output, OutputFile& file) const {
   if (const auto summary = write_parts(output, file)) return *summary;
   MeshSummary summary{"polygons", output.surface.polygons.size()};
   const Format format = format_of(output.file);
   if (format == Format::jsonl) {
     write_to(file, [&](std::ostream& out) { write_jsonl(output.surface, out); });
   } else {
-    const std::vector<FileMesh> meshes = meshes_of(output, std::move(made));
+    const std::vector<FileMesh> meshes = meshes_of(output);
     summary = summary_of(meshes);
     const FileMesh& mesh = meshes[0];
     if (format == Format::obj && mesh.colour && !is_standard_output(output.file)) {
@@ -163,8 +164,8 @@ bool MeshFiles::may_write_parts(const SurfaceOutput& output) const {
 std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
                                                   OutputFile& file) const {
   if (!may_write_parts(output) || !file.can_seek()) return std::nullopt;
-  const MeshParts parts(output.surface, options_of(arguments_, output), !arguments_.is_quiet,
-                        [&](FileMesh& part) {
+  const MeshParts parts(output.surface, options_of(arguments_, output, jobs_of(arguments_)),
+                        !arguments_.is_quiet, [&](FileMesh& part) {
                           place_in_file(part, placement_, arguments_.size);
                           part.colour = output.selection.colour;
                         });
@@ -180,8 +181,8 @@ std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
   return summary;
 }
 
-MeshSummary MeshFiles::keep(const SurfaceOutput& output, Made made) {
-  std::vector<FileMesh> meshes = meshes_of(output, std::move(made));
+MeshSummary MeshFiles::keep(SurfaceOutput& output) {
+  std::vector<FileMesh> meshes = meshes_of(output);
   const MeshSummary summary = summary_of(meshes);
   std::move(meshes.begin(), meshes.end(), std::back_inserter(meshes_));
   return summary;
@@ -197,32 +198,30 @@ void MeshFiles::finish() {
 }
 
 // Returns one mesh, or one mesh per body.
-std::vector<FileMesh> MeshFiles::meshes_of(const SurfaceOutput& output, Made made) const {
+std::vector<FileMesh> MeshFiles::meshes_of(SurfaceOutput& output) const {
   std::vector<FileMesh> meshes;
   if (!arguments_.lists_bodies) {
-    meshes.push_back(mesh_of(output, std::move(made)));
+    meshes.push_back(mesh_of(output));
     return meshes;
   }
   for (Surface& body : bodies(output.surface)) {
     SurfaceOutput alone{body, output.selection, output.file, output.title, output.crossings};
-    meshes.push_back(mesh_of(alone, {}));
+    meshes.push_back(mesh_of(alone));
     meshes.back().name += (meshes.back().name.empty() ? "" : " ") + std::to_string(meshes.size());
   }
-  if (meshes.empty()) meshes.push_back(mesh_of(output, {}));
+  if (meshes.empty()) meshes.push_back(mesh_of(output));
   return meshes;
 }
 
-FileMesh MeshFiles::mesh_of(const SurfaceOutput& output, Made made) const {
-  FileMesh mesh =
-      made ? std::move(*made) : triangulated(output.surface, options_of(arguments_, output));
-  note_left_out(output.title, output.surface, mesh.left_out);
-  if (arguments_.decimation.is_wanted()) {
-    if (!made) {
-      const Progress progress("decimating");
-      decimate(mesh, arguments_.decimation);
-    }
-    note_decimated(output.title, arguments_.decimation, mesh.face_count());
+FileMesh MeshFiles::mesh_of(SurfaceOutput& output) const {
+  if (!output.made) {
+    std::optional<Progress> progress;
+    if (arguments_.decimation.is_wanted()) progress.emplace("decimating");
+    output.made = made(output, jobs_of(arguments_));
   }
+  FileMesh mesh = std::move(*output.made);
+  note_left_out(output.title, output.surface, mesh.left_out);
+  note_decimated(output.title, arguments_.decimation, mesh.face_count());
   add_normals(arguments_, output.selection.selection, output.surface, mesh);
   place_in_file(mesh, placement_, arguments_.size);
   mesh.colour = output.selection.colour;

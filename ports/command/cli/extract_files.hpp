@@ -22,6 +22,7 @@ struct SurfaceOutput {
   std::string file;
   std::string title;                     ///< names the input and the surface in messages
   const Crossings* crossings = nullptr;  ///< as MeshingOptions::crossings
+  std::optional<FileMesh> made{};        ///< by MeshFiles::make_ahead()
 };
 
 /// Writes one file per mesh if --output contains {name}, otherwise one file with all meshes.
@@ -43,26 +44,24 @@ class MeshFiles {
   std::vector<std::string> names_for(const std::vector<NamedSelection>& selections);
 
   /// Makes the mesh of a surface for add(), unless add() makes it while it writes. Several threads
-  /// may call it.
-  std::optional<FileMesh> made_ahead(const SurfaceOutput& output) const;
+  /// may call this for different surfaces.
+  void make_ahead(SurfaceOutput& output) const;
 
-  /// Writes the mesh of a surface, or keeps it for the common file. Empties the surface. made: by
-  /// made_ahead(), if it was called.
-  MeshSummary add(const SurfaceOutput& output, std::optional<FileMesh> made = {});
+  /// Writes the mesh of a surface, or keeps it for the common file. Empties the surface.
+  MeshSummary add(SurfaceOutput output);
 
   /// Writes the common file, if there is one, and prints its size.
   void finish();
 
  private:
-  using Made = std::optional<FileMesh>;
-
+  FileMesh made(const SurfaceOutput& output, unsigned jobs) const;
   bool may_write_parts(const SurfaceOutput& output) const;
   std::optional<MeshSummary> write_parts(const SurfaceOutput& output, OutputFile& file) const;
-  MeshSummary write(const SurfaceOutput& output, Made made, OutputFile& file) const;
-  MeshSummary write_alone(const SurfaceOutput& output, Made made);
-  MeshSummary keep(const SurfaceOutput& output, Made made);
-  std::vector<FileMesh> meshes_of(const SurfaceOutput& output, Made made) const;
-  FileMesh mesh_of(const SurfaceOutput& output, Made made) const;
+  MeshSummary write(SurfaceOutput& output, OutputFile& file) const;
+  MeshSummary write_alone(SurfaceOutput& output);
+  MeshSummary keep(SurfaceOutput& output);
+  std::vector<FileMesh> meshes_of(SurfaceOutput& output) const;
+  FileMesh mesh_of(SurfaceOutput& output) const;
   MeshSummary summary_of(const std::vector<FileMesh>& meshes) const;
   const char* name_of_faces() const {
     return arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons";

@@ -267,17 +267,18 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     return !outputs[i].surface.polygons.empty() || arguments.reading.allows_empty;
   };
   bool has_mesh = false;
-  run_in_order<std::optional<FileMesh>>(
-      jobs_of(arguments), names.size(), [](std::size_t, auto&) {},
-      [&](std::size_t i, auto& made) {
-        if (has_surface(i)) made = files.made_ahead(outputs[i]);
+  struct Nothing {};
+  run_in_order<Nothing>(
+      jobs_of(arguments), names.size(), [](std::size_t, Nothing&) {},
+      [&](std::size_t i, Nothing&) {
+        if (has_surface(i)) files.make_ahead(outputs[i]);
       },
-      [&](std::size_t i, auto& made) {
+      [&](std::size_t i, Nothing&) {
         if (!has_surface(i))
           return print_message(arguments.volume,
                                title(selections[i]) + " has no surface; " + names[i] +
                                    (files.are_one() ? " does not contain it" : " is not written"));
-        const MeshSummary mesh = files.add(outputs[i], std::move(made));
+        const MeshSummary mesh = files.add(std::move(outputs[i]));
         has_mesh = true;
         if (!arguments.is_quiet)
           print_line(labels[i].surface, mesh.face_count,
