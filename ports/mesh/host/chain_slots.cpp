@@ -201,7 +201,7 @@ void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row,
         fragments.push_lost(queue_traits.number[queue]);
       else
         fragments.push(queue_traits.number[queue], seat[i]);
-  give_all(slots);
+  release_all(slots);
 }
 
 }  // namespace discmc::host

@@ -121,7 +121,7 @@ bool Chains::grow_queues(Slots& slots) {
     const uint32_t free = free_seats(queue);
     const uint32_t needed = is_at_seam(queue) ? max_across : Edges::max_edges;
     const bool is_short_move = free < seats / 4 * 3 && back(queue) - front(queue) <= seats / 16;
-    if (free < needed || is_short_move) make_seats_in(slots, queue);
+    if (free < needed || is_short_move) grow_queue(slots, queue);
   });
   find_min_free_seats();
   return has_free_seats();
@@ -141,7 +141,7 @@ void Chains::find_min_free_seats() {
 }
 
 // Moves what waits in a queue to its first seats, or to twice as many elsewhere if there are slots.
-void Chains::make_seats_in(Slots& slots, uint32_t queue) {
+void Chains::grow_queue(Slots& slots, uint32_t queue) {
   uint32_t* const seat = seats(slots);
   const uint32_t waiting = back(queue) - front(queue);
   const uint32_t old_first = first_seat_[queue];
@@ -163,7 +163,7 @@ void Chains::make_seats_in(Slots& slots, uint32_t queue) {
   if (first != old_first) release(slots, {old_first / seats_per_slot, old_slots});
 }
 
-void Chains::give_all(Slots& slots) {
+void Chains::release_all(Slots& slots) {
   for (const Area& area : area_) release(slots, area);
   release(slots, {0, 1});
   for_each_queue([&](uint32_t queue) {

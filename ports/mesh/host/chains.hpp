@@ -125,7 +125,7 @@ class Chains {
   /// no fragment is complete.
   void hand_over(Fragments& fragments, const detail::trace::SweptRow& row, uint32_t word);
   /// Forgets everything, and releases all slots.
-  void give_all(Slots& slots);
+  void release_all(Slots& slots);
 
  private:
   static constexpr uint32_t max_new = ChainRoom::max_new;
@@ -179,7 +179,7 @@ class Chains {
   }
   bool grow_queues(Slots& slots);
   void find_min_free_seats();
-  void make_seats_in(Slots& slots, uint32_t queue);
+  void grow_queue(Slots& slots, uint32_t queue);
   void mark_tails(Slots& slots);
   void copy_open(Slots& slots);
   bool comes_back(Slots& slots, uint32_t at);

@@ -33,7 +33,7 @@ constexpr void for_each_way(bool they_come, Visit visit) {
     }
 }
 
-constexpr QueueTraits derive_ends() {
+constexpr QueueTraits derive_queue_traits() {
   QueueTraits ends{};
   bool begins[detail::trace::queue_count] = {};
   for_each_way(true, [&](int, int, Way way, bool) {
@@ -72,13 +72,13 @@ constexpr QueueTraits derive_ends() {
   return ends;
 }
 
-constexpr QueueTraits derived_ends = derive_ends();
+constexpr QueueTraits derived_queue_traits = derive_queue_traits();
 
 // ---- rays ----
 
 constexpr RayWord ray_word(const Way& comes, const Way& goes, Incidence behind) {
-  return pass_word(derived_ends.code[comes.queue_in()], derived_ends.code[goes.queue_out()],
-                   behind);
+  return pass_word(derived_queue_traits.code[comes.queue_in()],
+                   derived_queue_traits.code[goes.queue_out()], behind);
 }
 
 constexpr uint32_t turned(uint32_t heading, uint32_t by) {
@@ -217,6 +217,6 @@ static_assert(sums_have_room(), "the parts of two halves each, for all edges of 
 }  // namespace
 
 const RayTable ray_table = derived_rays;
-const QueueTraits queue_traits = derived_ends;
+const QueueTraits queue_traits = derived_queue_traits;
 
 }  // namespace discmc::host

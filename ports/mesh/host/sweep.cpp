@@ -79,7 +79,7 @@ bool Sweep::make_room(const detail::trace::SweptRow& row) {
 // Below a slab, all chains belong to another slab; the firmware's sweep counts their ends as lost.
 void Sweep::hand_over(const detail::trace::SweptRow& row) {
   keeps_nodes_ = false;
-  if (row.role == SlabRole::below_slab) return chains_.give_all(slots());
+  if (row.role == SlabRole::below_slab) return chains_.release_all(slots());
   below_waits_ = true;
   handed_word_ = edges_.word();
   passes_.go_on_from(handed_word_);

@@ -24,7 +24,7 @@ TEST_CASE("the table of rays derived at run time equals that of the compiler") {
 
 TEST_CASE("the ends of rays derived at run time equal those of the compiler") {
   QueueTraits ends{};
-  ends = derive_ends();
+  ends = derive_queue_traits();
   CHECK(are_same(ends.vertex, queue_traits.vertex));
   CHECK(are_same(ends.incoming, queue_traits.incoming));
   CHECK(are_same(ends.comes_from_ahead, queue_traits.comes_from_ahead));
