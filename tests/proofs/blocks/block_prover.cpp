@@ -4,8 +4,11 @@
 #include <string>
 
 #include "oracle/agreement.hpp"
+#include "oracle/scan.hpp"
 
 namespace discmc::prove {
+
+using reference::require_ok;
 
 namespace {
 
@@ -18,10 +21,6 @@ constexpr uint32_t max_slots = 112;
 // The reference is compared with the paper's Merge for one block in this many: a prime, so that all
 // values of all rows occur.
 constexpr uint64_t sample = 4093;
-
-void require_ok(Status status) {
-  if (status != Status::ok) throw std::runtime_error(to_string(status));
-}
 
 }  // namespace
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <discmc/extractor.hpp>
-#include <stdexcept>
 #include <vector>
 
+#include "oracle/scan.hpp"
 #include "oracle/volume.hpp"
 #include "proofs/work/bound.hpp"
 
@@ -38,8 +38,8 @@ class CountedScan {
         room_(room),
         limits_{volume.width, volume.height, border},
         memory_(Extractor32::bytes_for(limits_, room.capacities)) {
-    require_ok(extractor_.start(limits_, room.capacities, 1, {memory_.data(), memory_.size()},
-                                make_sink(counter_)));
+    reference::require_ok(extractor_.start(limits_, room.capacities, 1,
+                                           {memory_.data(), memory_.size()}, make_sink(counter_)));
   }
 
   Work run() {
@@ -77,10 +77,6 @@ class CountedScan {
     uint64_t taken;
   };
 
-  static void require_ok(Status status) {
-    if (status != Status::ok) throw std::runtime_error(to_string(status));
-  }
-
   // Rows of voxels that are swept, and the first row of the halo.
   int32_t first_row() const { return limits_.border == Border::closed ? -1 : 0; }
   int32_t end_row() const { return static_cast<int32_t>(limits_.height); }
@@ -117,7 +113,7 @@ class CountedScan {
     const uint64_t before = blocks;
     const Status status = call();
     const uint64_t taken = blocks - before;
-    require_ok(status);
+    reference::require_ok(status);
     asked.delivered = counter_.events - events;
     asked.is_short = room_.capacities.slots < extractor_.peaks().slots + min_spare;
     calls_.push_back({asked, taken});
