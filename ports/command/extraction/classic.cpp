@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "meshes/outline.hpp"
+
 namespace discmc::command {
 namespace {
 
@@ -59,8 +61,7 @@ class Cubes {
         height_(info.dims[1] + 2 * border_),
         level_(level_below(info, options.selection)) {
     mesh_.spacing_mm = info.spacing_mm;
-    const Point& s = mesh_.spacing_mm;
-    is_mirrored_ = (s[0] < 0) != ((s[1] < 0) != (s[2] < 0));
+    is_mirrored_ = meshing::is_mirrored(mesh_.spacing_mm);
     for (Slice* slice : {&below_, &above_}) {
       slice->value.assign(width_ * height_, halo);
       for (auto& crossings : slice->crossings) crossings.assign(width_ * height_, no_vertex);

@@ -8,11 +8,8 @@ FileMesh MeshParts::bounds() const {
   FileMesh box;
   box.spacing_mm = surface_.spacing_mm;
   if (vertex_count() > 0) {
-    Vertex low = vertices_.positions()[0], high = low;
-    for (const Vertex& vertex : vertices_.positions()) {
-      low = {std::min(low.x, vertex.x), std::min(low.y, vertex.y), std::min(low.z, vertex.z)};
-      high = {std::max(high.x, vertex.x), std::max(high.y, vertex.y), std::max(high.z, vertex.z)};
-    }
+    const Vertex* const vertices = vertices_.positions().data();
+    const auto [low, high] = meshing::box_around(vertices, vertices + vertex_count());
     for (const std::int32_t x : {low.x, high.x})
       for (const std::int32_t y : {low.y, high.y})
         for (const std::int32_t z : {low.z, high.z}) add_vertex({x, y, z}, box);

@@ -175,9 +175,9 @@ void write_model(const Meshes& meshes, std::ostream& out) {
 }  // namespace
 
 void write_3mf(const Meshes& meshes, std::ostream& out) {
-  constexpr std::uint64_t vertex_line = 100, triangle_line = 70,
-                          other_bytes = 1000;  // upper bounds
-  constexpr std::uint64_t letter = 12;         // per character of a name, escaped, in both places
+  // Upper bounds.
+  constexpr std::uint64_t vertex_line = 100, triangle_line = 70, other_bytes = 1000;
+  constexpr std::uint64_t letter = 12;  // per character of a name, escaped, in both places
   std::uint64_t bytes = other_bytes;
   const Meshes seen = with_faces(meshes);  // 3MF allows no object without triangles
   for (const FileMesh* mesh : seen) {

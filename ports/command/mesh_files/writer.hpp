@@ -61,7 +61,7 @@ inline char* put_floats(const Point& point, char* place) {
 /// Collects small writes. Throws std::runtime_error if the stream fails.
 class Writer {
  public:
-  explicit Writer(std::ostream& out) : out_(&out) { buffer_.resize(full); }
+  explicit Writer(std::ostream& out) : Writer() { out_ = &out; }
 
   void text(std::string_view text);
 

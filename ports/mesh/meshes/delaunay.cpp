@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include <discmc/base/compiler.hpp>
-
 namespace discmc::meshing {
 namespace {
 
@@ -23,10 +21,12 @@ std::uint32_t& start_of(std::vector<Triangle>& triangles, std::uint32_t side) {
   return triangles[side / 3][side % 3];
 }
 
+}  // namespace
+
 // Whether the angles at c and d, opposite to the edge a b, exceed half a turn together. Exact for
 // distances up to 2^12.
-DISCMC_ALWAYS_INLINE bool is_flat_pair(const PlanePoint& a, const PlanePoint& b,
-                                       const PlanePoint& c, const PlanePoint& d) {
+bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
+                  const PlanePoint& d) {
   constexpr double doubt = 1e-15;  // exceeds the rounding error
   const auto cosine = [&](const PlanePoint& apex) {
     return static_cast<double>((a.u - apex.u) * (b.u - apex.u) + (a.v - apex.v) * (b.v - apex.v));
@@ -36,13 +36,6 @@ DISCMC_ALWAYS_INLINE bool is_flat_pair(const PlanePoint& a, const PlanePoint& b,
   const double one = static_cast<double>(doubled_area(c, a, b)) * cosine_d;
   const double other = static_cast<double>(doubled_area(d, b, a)) * cosine_c;
   return one + other < -doubt * (std::abs(one) + std::abs(other));
-}
-
-}  // namespace
-
-bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
-                  const PlanePoint& d) {
-  return is_flat_pair(a, b, c, d);
 }
 
 void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
@@ -117,7 +110,7 @@ void DelaunayFlips::flip_waiting(const std::vector<PlanePoint>& points,
     const auto start = [&](Side from) -> const PlanePoint& {
       return points[start_of(triangles, from)];
     };
-    if (is_flat_pair(start(side), start(twin), start(previous(side)), start(previous(twin)))) {
+    if (is_in_circle(start(side), start(twin), start(previous(side)), start(previous(twin)))) {
       flip(triangles, side);
       --flips;
     }

@@ -27,11 +27,7 @@ void VertexNumbers::set_slots(std::size_t count) {
 // Gives each block in the box around all corners a slot of its own, if there are few of them.
 void VertexNumbers::lay_out(const Array<Vertex>& corners) {
   if (corners.empty()) return;
-  Vertex low = corners[0], high = low;
-  for (const Vertex& each : corners) {
-    low = {std::min(low.x, each.x), std::min(low.y, each.y), std::min(low.z, each.z)};
-    high = {std::max(high.x, each.x), std::max(high.y, each.y), std::max(high.z, each.z)};
-  }
+  const auto [low, high] = box_around(corners.begin(), corners.end());
   const auto blocks_from = [](std::int32_t first, std::int32_t last) {
     return static_cast<std::uint64_t>((std::int64_t{last} >> 3) - (std::int64_t{first} >> 3) + 1);
   };

@@ -2,6 +2,7 @@
 #ifndef DISCMC_MESH_SURFACE_POLYGONS_HPP
 #define DISCMC_MESH_SURFACE_POLYGONS_HPP
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -30,6 +31,23 @@ class Ring {
   const Vertex* begin_;
   const Vertex* end_;
 };
+
+/// The least and the greatest coordinates of some vertices.
+struct VertexBox {
+  Vertex low, high;
+};
+
+/// Limit: at least one vertex.
+inline VertexBox box_around(const Vertex* begin, const Vertex* end) {
+  VertexBox box{*begin, *begin};
+  for (const Vertex* each = begin; each != end; ++each) {
+    box.low = {std::min(box.low.x, each->x), std::min(box.low.y, each->y),
+               std::min(box.low.z, each->z)};
+    box.high = {std::max(box.high.x, each->x), std::max(box.high.y, each->y),
+                std::max(box.high.z, each->z)};
+  }
+  return box;
+}
 
 /// The rings of a polygon. Owner: Polygons.
 class Rings {

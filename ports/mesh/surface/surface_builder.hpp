@@ -98,8 +98,7 @@ class SurfaceBuilder {
   // Buffers of one ring, whose memory is kept.
   std::vector<Vertex> ends_;          // the start and the corners of the ring
   std::vector<std::uint32_t> slots_;  // indexes of ends, hashed
-  std::vector<Vertex>
-      vertices_;  // the ends, in order, also where a side passes through another end
+  std::vector<Vertex> vertices_;      // the ends, also those within other sides, in order
   std::vector<std::int32_t> touches_;
   std::vector<std::uint32_t> scratch_;
 };
