@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ Contender decimated(const Volume& volume);
 
 /// The same triangles simplified by meshoptimizer, with the same tolerance.
 Contender simplified(const Volume& volume);
+
+/// VTK's SurfaceNets3D without smoothing, from VTK 9.3 on: none before.
+std::optional<Contender> surface_nets(const Volume& volume);
 
 /// OpenVDB's volumeToMesh with adaptivity 0.1, on a grid of -1 for voxels that are on, else 1,
 /// which is there already. It merges what turns by less than 26 degrees. Its border is closed.
