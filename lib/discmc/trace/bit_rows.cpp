@@ -15,6 +15,12 @@ static_assert(bit_row_bytes(Limits::max_extent, swept_rows(Limits::max_extent)) 
 // The number of bits that can be placed at once, in two words at most.
 constexpr uint32_t max_placed = 28;
 
+uint64_t eight_bytes(const uint8_t* bytes) {
+  uint64_t word = 0;
+  for (uint32_t i = 0; i < 8; ++i) word |= uint64_t{bytes[i]} << (8 * i);
+  return word;
+}
+
 }  // namespace
 
 void BitRows::start(Arena& arena, const Limits& limits, uint32_t rows) {
@@ -95,17 +101,31 @@ template void BitRows::append(const uint16_t*, uint32_t, uint32_t, int32_t);
 template void BitRows::append(const int16_t*, uint32_t, uint32_t, int32_t);
 
 void BitRows::append_bits(const uint8_t* bits) {
-  constexpr uint32_t max_bits = is_host ? 24 : 8;  // placed at once; a single byte needs less flash
-  static_assert(max_bits <= max_placed, "in two words");
+  if (is_host && width_ > 56) return set_words(bits);
   uint32_t* const words = arriving();
-  for (; column_ < width_; column_ += max_bits) {
+  for (; column_ < width_; column_ += 8) {
     const uint32_t left = width_ - column_;
-    const uint32_t count = left < max_bits ? left : max_bits;
-    uint32_t on = 0;
-    for (uint32_t bit = 0; bit < count; bit += 8) on |= uint32_t{*bits++} << bit;
-    on &= (uint32_t{1} << count) - 1;
+    const uint32_t count = left < 8 ? left : 8;
+    const uint32_t on = *bits++ & ((uint32_t{1} << count) - 1);
     if (on != 0) turn_on(words, on);
   }
+  column_ = width_;
+}
+
+// Sets a whole word at once from the eight bytes around its bits. Limit: width > 56.
+void BitRows::set_words(const uint8_t* bits) {
+  uint32_t* const words = row_before(0);
+  const uint32_t last_byte = (width_ + 7) / 8 - 8;
+  words[0] = static_cast<uint32_t>(eight_bytes(bits) << 2);
+  uint32_t on = words[0];
+  for (uint32_t word = 1; word < words_; ++word) {
+    const uint32_t bit = word * columns_per_word - 2;
+    const uint32_t byte = bit / 8 < last_byte ? bit / 8 : last_byte;
+    words[word] = static_cast<uint32_t>(eight_bytes(bits + byte) >> (bit - 8 * byte));
+    if (word + 1 == words_) words[word] &= (uint32_t{1} << (width_ - bit)) - 1;
+    on |= words[word];
+  }
+  if (on != 0) words[0] |= on_mark;
   column_ = width_;
 }
 

@@ -115,6 +115,7 @@ class BitRows {
   uint32_t* row_before(uint32_t back) const;
   uint32_t* row_off() const { return &ring_[size_t{words_} * ring_rows_]; }
   void turn_on(uint32_t* words, uint32_t bits) const;
+  void set_words(const uint8_t* bits);
 
   uint32_t* ring_ = nullptr;  // followed by a row that is off
   uint32_t words_ = 0;
