@@ -96,6 +96,62 @@ TEST_CASE("names with a second number that varies with the first form one stack"
   }
 }
 
+// Gives successive slices these names, and returns the order in which they are read.
+std::vector<int> read_order(const std::vector<std::string>& names,
+                            const VolumeOptions& options = {}) {
+  const Folder folder;
+  const fs::path stack = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/pictures/stack";
+  for (std::size_t i = 0; i < names.size(); ++i)
+    folder.write(names[i], contents(stack / ("slice" + std::to_string(i) + ".png")));
+  const auto reader = open_volume(folder.path(), options);
+  CHECK(noted(reader->info(), "the decimal or signed numbers in the names give the order"));
+  CHECK(noted(reader->info(), "no spacing given, 1 mm assumed"));
+  const std::vector<double> samples = read_all(*reader);
+  std::vector<int> order;
+  for (std::size_t begin = 0; begin < samples.size();
+       begin += samples.size() / reader->info().dims[2])
+    for (int slice = 0; slice < static_cast<int>(names.size()); ++slice)
+      if (samples[begin] == patterned(slice, 1)[0] + 2000) order.push_back(slice);
+  return order;
+}
+
+TEST_CASE("decimals and signs in names give the order") {
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"s_0.5.png", "s_1.0.png", "s_1.5.png", "s_2.0.png"},
+        {"z=8.50.png", "z=9.25.png", "z=10.00.png", "z=10.75.png"},
+        {"s_0.25.png", "s_0.5.png", "s_0.75.png", "s_1.png"},
+        {"s_0.33.png", "s_0.67.png", "s_1.00.png", "s_1.33.png"},
+        {"s_9,5mm.png", "s_10,0mm.png", "s_10,5mm.png", "s_11,0mm.png"},
+        {"z-1.5.png", "z-0.5.png", "z0.5.png", "z1.5.png"},
+        {"z=-12.png", "z=-11.png", "z=-10.png", "z=-9.png"},
+        {"z_-2.png", "z_-1.png", "z_+0.png", "z_+1.png"}}) {
+    INFO(names[0]);
+    CHECK(read_order(names) == std::vector<int>{0, 1, 2, 3});
+  }
+}
+
+TEST_CASE("a decimal missing among names is a missing slice") {
+  const std::vector<std::string> names = {"s_0.0.png", "s_0.5.png", "s_1.0.png", "s_2.0.png"};
+  CHECK(read_order(names, with(&VolumeOptions::allow_gaps, true)) ==
+        std::vector<int>{0, 1, 2, 2, 3});
+  check_refused(Pictures({"s_0.0.png", "s_0.5.png", "s_1.0.png", "s_2.0.png"}).path(),
+                "between s_1.0.png and s_2.0.png");
+}
+
+TEST_CASE("numbers beside a point are counters if they are no even decimals") {
+  check_advice({"t1.7.png", "t1.8.png", "t2.7.png", "t2.8.png"},
+               "the names count in several numbers", "t1.*.png", 2);
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"s.1.9.png", "s.1.10.png", "s.1.11.png"},
+        {"2021.03.01.png", "2021.03.02.png", "2021.03.03.png"},
+        {"2021-03-01.png", "2021-03-02.png", "2021-03-03.png"}}) {
+    const Pictures pictures(names);
+    const auto reader = open_volume(pictures.path());
+    CHECK(reader->info().dims[2] == names.size());
+    CHECK(!noted(reader->info(), "decimal"));
+  }
+}
+
 TEST_CASE("names without one order are refused") {
   check_refused(Pictures({"id8_s1.png", "id3_s2.png", "id5_s3.png"}).path(),
                 "the numbers in the names give different orders");

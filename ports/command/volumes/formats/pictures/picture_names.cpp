@@ -1,6 +1,9 @@
 #include "picture_names.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
 #include <numeric>
 #include <system_error>
 #include <utility>
@@ -24,24 +27,137 @@ std::string_view take_number(std::string_view& text) {
   return number;
 }
 
-// Returns the values of the only number in which the names differ; empty if they differ in more.
-std::vector<std::uint64_t> varying_numbers(const std::vector<std::filesystem::path>& files) {
-  const NumberedName first(files.front()), last(files.back());
+// Returns the only number in which the names differ, of each name; empty if they differ in more.
+std::vector<std::string> varying_numbers(std::vector<NumberedName> names) {
+  const NumberedName first = names.front(), last = names.back();
   if (last.numbers.size() != first.numbers.size()) return {};
   const auto differing =
       std::mismatch(first.numbers.begin(), first.numbers.end(), last.numbers.begin()).first;
   if (differing == first.numbers.end()) return {};
   const auto varying = static_cast<std::size_t>(differing - first.numbers.begin());
-  std::vector<std::uint64_t> values;
-  for (const auto& file : files) {
-    NumberedName name(file);
+  std::vector<std::string> found;
+  for (NumberedName& name : names) {
     if (name.texts != first.texts) return {};
-    const std::string number = std::exchange(name.numbers[varying], first.numbers[varying]);
-    const auto value = number.empty() ? 0 : whole_number<std::uint64_t>(number);
-    if (name.numbers != first.numbers || !value) return {};
-    values.push_back(*value);
+    found.push_back(std::exchange(name.numbers[varying], first.numbers[varying]));
+    if (name.numbers != first.numbers) return {};
   }
+  return found;
+}
+
+bool is_point(const std::string& text) {
+  return text == "." || text == ",";
+}
+
+// Whether a hyphen is a sign: z=-1.png, z_-0.5.png, but not z-1.png, z_-1.png.
+bool is_sign(const std::string& before, const std::string& after) {
+  const char previous = before.size() < 2 ? 'a' : before[before.size() - 2];
+  return previous == '=' ||
+         (is_point(after) && std::isalnum(static_cast<unsigned char>(previous)) == 0);
+}
+
+// Joins the digits and signs of decimals. all_signs: whether each hyphen is a sign.
+NumberedName with_decimals(const NumberedName& name, bool all_signs) {
+  NumberedName joined = name;
+  joined.texts = {name.texts[0]};
+  joined.numbers.clear();
+  for (std::size_t i = 0; i < name.digits.size(); ++i) {
+    std::string& before = joined.texts.back();
+    const std::string& after = name.texts[i + 1];
+    if (i > 0 && is_point(before)) {
+      joined.numbers.back() += '.' + name.digits[i];
+      before = after;
+      continue;
+    }
+    std::string number = name.digits[i];
+    const char last = before.empty() ? ' ' : before.back();
+    if ((last == '-' || last == '+') && (all_signs || is_sign(before, after))) {
+      if (last == '-') number.insert(0, 1, last);
+      before.pop_back();
+    }
+    joined.numbers.push_back(number);
+    joined.texts.push_back(after);
+  }
+  return joined;
+}
+
+std::string_view fraction_of(std::string_view number) {
+  return number.substr(std::min(number.find('.'), number.size()));
+}
+
+// Whether numbers are decimals, and not pairs of numbers, such as 1.9 and 1.10.
+bool are_decimals(const std::vector<std::string>& numbers) {
+  const auto is_of_one_size = [&](const std::string& number) {
+    return fraction_of(number).size() == fraction_of(numbers[0]).size();
+  };
+  const auto is_short = [](const std::string& number) {
+    return fraction_of(number).empty() || number.back() != '0';
+  };
+  const auto has_own = [&](const std::string& number) {
+    return number[0] == '-' || fraction_of(number) != fraction_of(numbers[0]);
+  };
+  return (std::all_of(numbers.begin(), numbers.end(), is_of_one_size) ||
+          std::all_of(numbers.begin(), numbers.end(), is_short)) &&
+         std::any_of(numbers.begin(), numbers.end(), has_own);
+}
+
+std::uint64_t median_of(std::vector<std::uint64_t> steps) {
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>((steps.size() - 1) / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+std::vector<std::uint64_t> steps_of(std::vector<std::uint64_t> values) {
+  std::adjacent_difference(values.begin(), values.end(), values.begin());
+  if (!values.empty()) values.erase(values.begin());
   return values;
+}
+
+// Whether values have one distance, which may be rounded, or multiples of it. Pairs of counters,
+// such as 1.7, 1.8 and 2.0, have not. Size: at least two values.
+bool are_even(std::vector<std::uint64_t> values, bool are_whole) {
+  std::sort(values.begin(), values.end());
+  const std::vector<std::uint64_t> steps = steps_of(values);
+  const std::uint64_t step = median_of(steps);
+  return step > 0 && std::all_of(steps.begin(), steps.end(), [&](std::uint64_t each) {
+           const bool is_multiple = each > 0 && each % step == 0 && (step > 1 || are_whole);
+           return each == step || is_multiple || (step > 2 && each + 1 >= step && each <= step + 1);
+         });
+}
+
+// Returns decimals or signed numbers as counts of their last place: 0, 5, 10 for -0.5, 0.0, 0.5.
+// Returns nothing if the numbers have another form or uneven distances.
+std::vector<std::uint64_t> counts_of(const std::vector<std::string>& numbers) {
+  if (numbers.size() < 2 || !are_decimals(numbers)) return {};
+  double least = 0;
+  std::size_t places = 0;
+  for (const std::string& number : numbers) {
+    least = std::min(least, decimal(number).value_or(0));
+    places = std::max(places, fraction_of(number).size());
+  }
+  constexpr double max_exact = 1e15;
+  const double scale = std::pow(10, places == 0 ? 0 : places - 1);
+  std::vector<std::uint64_t> counts;
+  for (const std::string& number : numbers) {
+    const auto value = decimal(number);
+    if (!value || (*value - least) * scale > max_exact) return {};
+    counts.push_back(static_cast<std::uint64_t>(std::llround((*value - least) * scale)));
+  }
+  return are_even(counts, places == 0) ? counts : std::vector<std::uint64_t>();
+}
+
+// Returns the decimals or signed numbers of names as counts, or nothing if the names have none.
+std::vector<std::uint64_t> decimals_of(const std::vector<std::filesystem::path>& files) {
+  for (const bool all_signs : {false, true}) {
+    std::vector<NumberedName> names;
+    for (const auto& file : files) names.push_back(with_decimals(NumberedName(file), all_signs));
+    const std::vector<std::string> numbers = varying_numbers(names);
+    const bool are_hyphens =
+        all_signs && std::all_of(numbers.begin(), numbers.end(),
+                                 [](const std::string& number) { return number[0] == '-'; });
+    const auto counts = are_hyphens ? std::vector<std::uint64_t>() : counts_of(numbers);
+    if (!counts.empty()) return counts;
+  }
+  return {};
 }
 
 bool is_before(std::string_view a, std::string_view b) {
@@ -114,16 +230,27 @@ void sort_naturally(std::vector<std::filesystem::path>& files) {
                    [](const auto& a, const auto& b) { return is_before(a.native(), b.native()); });
 }
 
+bool sort_by_decimals(std::vector<std::filesystem::path>& files) {
+  const std::vector<std::uint64_t> counts = decimals_of(files);
+  std::map<std::uint64_t, std::filesystem::path> sorted;
+  for (std::size_t i = 0; i < counts.size(); ++i) sorted[counts[i]] = files[i];
+  std::transform(sorted.begin(), sorted.end(), files.begin(),
+                 [](const auto& each) { return each.second; });
+  return !counts.empty();
+}
+
 std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files) {
   if (files.size() < 3) return {};
-  std::vector<std::uint64_t> steps = varying_numbers(files);
-  std::adjacent_difference(steps.begin(), steps.end(), steps.begin());
-  if (!steps.empty()) steps.erase(steps.begin());
+  std::vector<std::uint64_t> values = decimals_of(files);
+  if (values.empty())
+    for (const std::string& number : varying_numbers({files.begin(), files.end()})) {
+      const auto value = number.empty() ? 0 : whole_number<std::uint64_t>(number);
+      if (!value) return {};
+      values.push_back(*value);
+    }
+  const std::vector<std::uint64_t> steps = steps_of(values);
   if (steps.empty()) return {};
-  std::vector<std::uint64_t> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const std::uint64_t step = *middle;
+  const std::uint64_t step = median_of(steps);
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (step == 0 || steps[i] == 0 || steps[i] % step != 0) return {};

@@ -36,7 +36,11 @@ std::vector<std::filesystem::path> picture_files(const std::filesystem::path& fo
 /// Sorts names with their numbers in numeric order: slice2 before slice10.
 void sort_naturally(std::vector<std::filesystem::path>& files);
 
-/// Returns the gaps between names in natural order. Names must differ in only one number, which
+/// Sorts names by the only number in which they differ, if it has decimals or a sign, and even
+/// steps: z_-0.5 before z_0.0. Returns false, and changes nothing, if the names differ otherwise.
+bool sort_by_decimals(std::vector<std::filesystem::path>& files);
+
+/// Returns the gaps between names in order. Names must differ in only one number, which
 /// grows by an even step, and in gaps by a multiple of it. Other numbers leave no gaps.
 std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files);
 

@@ -87,7 +87,10 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
   leave_out_overviews(files, info);
   require_one_kind(source, files);
   sort_naturally(files);
-  require_one_stack(source, files);
+  if (sort_by_decimals(files))
+    note(info, "the decimal or signed numbers in the names give the order, and no distance");
+  else
+    require_one_stack(source, files);
   Stack stack = stack_of(source, files, options, info);
   close_gaps(source, options.allow_gaps, stack, info);
   info.type = stack.header.type;
