@@ -153,6 +153,38 @@ TEST_CASE_FIXTURE(Folder, "the EXIF orientation of JPEG turns the picture, or is
     CHECK(!noted(open_volume(turned(6, cut))->info(), "row"));
 }
 
+// Inserts a chunk behind the header of a PNG file.
+std::string with_chunk(const std::string& png, const std::string& chunk) {
+  const auto big = [](std::uint64_t number) {
+    return bytes_of(static_cast<std::uint32_t>(number), true);
+  };
+  constexpr std::size_t head = 8 + 25;
+  const auto sum = crc32(0, reinterpret_cast<const unsigned char*>(chunk.data()),
+                         static_cast<unsigned>(chunk.size()));
+  return png.substr(0, head) + big(chunk.size() - 4) + chunk + big(sum) + png.substr(head);
+}
+
+TEST_CASE_FIXTURE(Folder, "the EXIF orientation of PNG turns the picture, or is refused") {
+  const std::string png = contents(files / "u8.png");
+  const auto turned = [&](char orientation) {
+    const std::string exif("eXIfMM\0*\0\0\0\10\0\1\1\22\0\3\0\0\0\1\0", 23);
+    return write("v.png", with_chunk(png, exif + orientation + std::string(6, '\0')));
+  };
+  CHECK(noted(open_volume(turned(4))->info(), "the first row is the lowest"));
+  check_refused(turned(6), "its EXIF orientation exchanges rows and columns");
+}
+
+TEST_CASE_FIXTURE(Folder, "a resolution without a unit is noted if pixels are not square") {
+  const std::string png = contents(files / "u8.png");
+  const auto notes = [&](char y) {
+    const std::string pixels("pHYs\0\0\0\2\0\0\0", 11);
+    const auto file = write("v.png", with_chunk(png, pixels + y + '\0'));
+    return open_volume(file)->info();
+  };
+  CHECK(noted(notes(1), "which has no unit, is not used; to use it, give --spacing 1,2,Z"));
+  CHECK(!noted(notes(2), "resolution"));
+}
+
 TEST_CASE_FIXTURE(Folder, "a picture is recognized by its first bytes under any name") {
   for (const std::string name : {"u8.png", "u8.tif", "u8.jpg", "u8.bmp"}) {
     const std::string bytes = contents(files / name);

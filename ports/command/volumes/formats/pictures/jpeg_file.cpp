@@ -13,7 +13,6 @@
 
 #include "picture_file.hpp"
 #include "sample_packing.hpp"
-#include "volumes/byte_source.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {
@@ -36,24 +35,14 @@ extern "C" void take_message(j_common_ptr jpeg, int level) {
   if (level < 0 && jpeg->err->msg_code != JWRN_EXTRANEOUS_DATA) give_up(jpeg);
 }
 
-// Returns the orientation from EXIF, which is in the first directory of an embedded TIFF file.
-std::uint64_t orientation_of(const jpeg_marker_struct* marker) {
+std::string_view exif_of(const jpeg_marker_struct* marker) {
   using namespace std::literals;
-  constexpr std::uint64_t tag = 0x0112, entry_bytes = 12;
+  constexpr std::string_view begin = "Exif\0\0"sv;
   for (; marker != nullptr; marker = marker->next) {
     const std::string_view data(reinterpret_cast<const char*>(marker->data), marker->data_length);
-    if (data.substr(0, 6) != "Exif\0\0"sv) continue;
-    const std::string_view tiff = data.substr(6);
-    const auto number = [&](std::uint64_t at, std::size_t bytes) {
-      return at + bytes <= tiff.size() ? whole_of(&tiff[at], bytes, tiff[0] == 'M') : 0;
-    };
-    const std::uint64_t directory = number(4, 4), end = number(directory, 2);
-    for (std::uint64_t i = 0; i < end; ++i) {
-      const std::uint64_t entry = directory + 2 + entry_bytes * i;
-      if (number(entry, 2) == tag) return number(entry + 8, 2);
-    }
+    if (data.substr(0, begin.size()) == begin) return data.substr(begin.size());
   }
-  return 1;
+  return {};
 }
 
 class JpegFile final : public SinglePicture {
@@ -73,16 +62,12 @@ class JpegFile final : public SinglePicture {
       fail(file(), std::to_string(jpeg_.num_components) + " components per pixel are not supported",
            "convert it to PNG");
     }
-    const std::uint64_t orientation = orientation_of(jpeg_.marker_list);
-    if (orientation >= 5 && orientation <= 8)
-      fail(file(), "its EXIF orientation exchanges rows and columns",
-           "turn the pictures themselves, e.g. with: magick mogrify -auto-orient FILE");
-    header.runs_backwards = {orientation == 2 || orientation == 3,
-                             orientation == 3 || orientation == 4};
-    const double unit_mm = jpeg_.density_unit == 1 ? mm_of_inch : mm_of_centimetre;
-    if (jpeg_.saw_JFIF_marker != 0 && jpeg_.density_unit != 0 && jpeg_.X_density > 0 &&
+    take_orientation(header, file(), exif_of(jpeg_.marker_list));
+    constexpr double units_mm[] = {0, mm_of_inch, mm_of_centimetre};
+    if (jpeg_.saw_JFIF_marker != 0 && jpeg_.density_unit < 3 && jpeg_.X_density > 0 &&
         jpeg_.Y_density > 0)
-      header.resolution = {{1.0 * jpeg_.X_density, 1.0 * jpeg_.Y_density}, unit_mm};
+      header.resolution = {{1.0 * jpeg_.X_density, 1.0 * jpeg_.Y_density},
+                           units_mm[jpeg_.density_unit]};
     return header;
   }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hyperstack.hpp"
@@ -41,6 +42,11 @@ struct PictureHeader {
   std::array<bool, 2> runs_backwards = {};
   std::optional<Resolution> resolution = {};
 };
+
+/// Sets the directions by EXIF, an embedded TIFF file; empty if there is none. Throws if rows and
+/// columns are exchanged.
+void take_orientation(PictureHeader& header, const std::filesystem::path& file,
+                      std::string_view exif);
 
 /// A file of pictures. Throws VolumeError if it cannot be read.
 class PictureFile {

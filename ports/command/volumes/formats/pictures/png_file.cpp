@@ -33,9 +33,12 @@ class PngFile final : public SinglePicture {
     if (!is_grey(greys_)) header.palette = std::exchange(greys_, {});
     png_uint_32 x = 0, y = 0;
     int unit = 0;
-    if (png_get_pHYs(png_, info_, &x, &y, &unit) != 0 && unit == PNG_RESOLUTION_METER && x > 0 &&
-        y > 0)
-      header.resolution = {{1.0 * x, 1.0 * y}, mm_of_metre};
+    if (png_get_pHYs(png_, info_, &x, &y, &unit) != 0 && x > 0 && y > 0)
+      header.resolution = {{1.0 * x, 1.0 * y}, unit == PNG_RESOLUTION_METER ? mm_of_metre : 0};
+    png_uint_32 bytes = 0;
+    png_bytep exif = nullptr;
+    if (png_get_eXIf_1(png_, info_, &bytes, &exif) != 0)
+      take_orientation(header, file(), {reinterpret_cast<const char*>(exif), bytes});
     return header;
   }
 

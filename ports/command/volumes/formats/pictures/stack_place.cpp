@@ -22,10 +22,11 @@ bool is_given(const Spacing& spacing) {
 std::string note_of_resolution(const Resolution& resolution) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  const double x = resolution.unit_mm / resolution.pixels[0];
-  const double y = resolution.unit_mm / resolution.pixels[1];
-  text << "the resolution, usually for a print, is not used; to use it, give --spacing " << x << ','
-       << y << ",Z";
+  const bool has_unit = resolution.unit_mm > 0;
+  const double unit = has_unit ? resolution.unit_mm : resolution.pixels[0];
+  text << "the resolution, " << (has_unit ? "usually for a print" : "which has no unit")
+       << ", is not used; to use it, give --spacing " << unit / resolution.pixels[0] << ','
+       << unit / resolution.pixels[1] << ",Z";
   return text.str();
 }
 
@@ -46,7 +47,8 @@ Spacing spacing_of(const Stack& stack, VolumeInfo& info) {
   Spacing spacing = stack.described.spacing_mm;
   if (!is_given(spacing)) spacing = spacing_of_log(stack, info);
   const auto& resolution = stack.header.resolution;
-  if (!is_given(spacing) && resolution && resolution->unit_mm > 0)
+  if (!is_given(spacing) && resolution &&
+      (resolution->unit_mm > 0 || resolution->pixels[0] != resolution->pixels[1]))
     note(info, note_of_resolution(*resolution));
   // Assumes square pixels and cubic voxels.
   if (!spacing[1]) spacing[1] = spacing[0];
