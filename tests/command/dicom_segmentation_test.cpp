@@ -183,11 +183,16 @@ TEST_CASE_FIXTURE(Folder, "segments that overlap are in several volumes, each wi
   CHECK(read_all(*reader) == slices_of({box(2, 5, 2, 5, 2)}));
 }
 
-TEST_CASE_FIXTURE(Folder, "segments are in one volume if the file states that none overlap") {
-  Dataset data =
-      segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}});
-  const auto file = write("v.dcm", data.text(0x00620013, "CS", "NO").file());
-  CHECK(open_volume(file)->info().frames == 1);
+TEST_CASE_FIXTURE(Folder,
+                  "segments are in several volumes even if the file states that none overlap") {
+  const auto volumes = [this](const Voxels& second) {
+    Dataset data =
+        segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 3, 0, 3)}, {2, 0, second}});
+    const auto file = write("v.dcm", data.text(0x00620013, "CS", "NO").file());
+    return open_volume(file, with(&VolumeOptions::frame, 0))->info().frames;
+  };
+  CHECK(volumes(box(4, 5, 2, 5)) == 1);
+  CHECK(volumes(box(2, 5, 2, 5)) == 2);
 }
 
 TEST_CASE("segments that lie beside each other in other slices do not overlap") {

@@ -194,7 +194,7 @@ using Layers = std::map<std::uint32_t, std::uint32_t>;  // by segment
 
 Layers layers_of(const Path& source, const Frames& frames, const Slices& slices) {
   Overlaps overlaps;
-  if (!segments_in(frames).are_disjoint && !is_of_numbers(frames)) {
+  if (!is_of_numbers(frames)) {
     const DicomImage& image = *frames[0].image;
     Labels labels(image);
     for (const auto& slice : slices) {

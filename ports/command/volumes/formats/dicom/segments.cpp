@@ -53,7 +53,6 @@ DicomSegments segments_of(DcmItem& dataset) {
   } else if (type == "LABELMAP") {
     segments.kind = DicomSegments::Kind::numbers;
   }
-  segments.are_disjoint = text_of(dataset, DCM_SegmentsOverlap) == "NO";
   DcmItem* segment = nullptr;
   for (signed long i = 0; dataset.findAndGetSequenceItem(DCM_SegmentSequence, segment, i).good();
        ++i)
