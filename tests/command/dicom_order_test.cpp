@@ -222,6 +222,11 @@ TEST_CASE("a missing spacing is named") {
   const auto stand_in = open_volume(projected.path());
   CHECK(stand_in->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing is used"));
+  const Slices ratio(
+      [](Dataset& data, int) { data.drop(0x00280030).text(0x00280034, "IS", "3\\2"); });
+  const auto by_ratio = open_volume(ratio.path());
+  CHECK(by_ratio->info().spacing_mm == Spacing{1, 1.5, 2.5});
+  CHECK(noted(by_ratio->info(), "PixelAspectRatio is used, and 1 mm assumed along a row"));
 }
 
 // ---- as the user gives it ----
@@ -251,6 +256,28 @@ TEST_CASE("slices that all have one position are read in an order on request") {
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
   CHECK(read_all(*reader) == as_read(volume_values()));
   CHECK(noted(reader->info(), "several slices have one position"));
+}
+
+TEST_CASE_FIXTURE(Folder, "a palette of greys gives greys, and one of colours is refused") {
+  std::vector<std::int64_t> samples;
+  std::vector<double> expected;
+  std::vector<std::uint64_t> words, pairs;
+  for (int i = 0; i < width * height; ++i) {
+    samples.push_back(5 * i);
+    expected.push_back(255 - 5 * i);
+  }
+  for (std::uint64_t i = 0; i < 256; ++i) words.push_back(257 * (255 - i));
+  for (std::uint64_t i = 0; i < 256; i += 2) pairs.push_back(255 - i + ((254 - i) << 8));
+  Dataset data = image("1");
+  put_at(data, position(0)).samples(samples, 8, false).text(0x00280004, "CS", "PALETTE COLOR");
+  const std::pair<std::vector<std::uint64_t>, std::uint64_t> tables[] = {{words, 16}, {pairs, 8}};
+  for (const auto& [table, bits] : tables) {
+    for (std::uint32_t colour = 0; colour < 3; ++colour)
+      data.whole(0x00281101 + colour, {256, 0, bits}).whole(0x00281201 + colour, table);
+    CHECK(read_all(*open_volume(write("v.dcm", data.file()))) == expected);
+  }
+  data.whole(0x00281203, std::vector<std::uint64_t>(128, 0));
+  check_refused(write("v.dcm", data.file()), "a colour image, by its palette");
 }
 
 TEST_CASE("slices of MONOCHROME1 and MONOCHROME2 are refused together") {

@@ -34,11 +34,15 @@ bool take_spacing(DcmElement* element, const char* name, DicomFrame& frame) {
 }
 
 void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& frame) {
-  take_spacing(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing), "PixelSpacing",
-               frame) ||
+  const bool has_lengths =
+      take_spacing(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing), "PixelSpacing",
+                   frame) ||
       take_spacing(element_of(dataset, DCM_ImagerPixelSpacing), "ImagerPixelSpacing", frame) ||
       take_spacing(element_of(dataset, DCM_NominalScannedPixelSpacing),
                    "NominalScannedPixelSpacing", frame);
+  if (!has_lengths &&
+      take_spacing(element_of(dataset, DCM_PixelAspectRatio), "PixelAspectRatio", frame))
+    frame.spacing_mm = {1, frame.spacing_mm[1] / frame.spacing_mm[0]};
   for (const auto& [key, name] : {std::pair(DCM_SpacingBetweenSlices, "SpacingBetweenSlices"),
                                   std::pair(DCM_SliceThickness, "SliceThickness")}) {
     const auto distance = real_of(attributes.element(DCM_PixelMeasuresSequence, key));
@@ -141,6 +145,37 @@ std::optional<std::int32_t> padding_of(DcmItem& dataset, bool is_signed) {
   return is_signed ? std::int32_t{static_cast<Sint16>(bits)} : std::int32_t{bits};
 }
 
+// Returns the greys of a palette for samples of 8 bits; empty if it has colours.
+std::vector<std::uint8_t> greys_of(DcmItem& dataset) {
+  constexpr std::size_t most = 256;
+  const Uint16* words = nullptr;
+  unsigned long count = 0;
+  Uint16 first = 0, bits = 0;
+  if (whole_of(dataset, DCM_BitsStored) != 8U || whole_of(dataset, DCM_PixelRepresentation) != 0U ||
+      dataset.findAndGetUint16(DCM_RedPaletteColorLookupTableDescriptor, first, 1).bad() ||
+      dataset.findAndGetUint16(DCM_RedPaletteColorLookupTableDescriptor, bits, 2).bad() ||
+      first != 0 ||
+      dataset.findAndGetUint16Array(DCM_RedPaletteColorLookupTableData, words, &count).bad() ||
+      (count != most && count != most / 2))
+    return {};
+  for (const DcmTagKey& key :
+       {DCM_GreenPaletteColorLookupTableData, DCM_BluePaletteColorLookupTableData}) {
+    const Uint16* other = nullptr;
+    unsigned long others = 0;
+    if (dataset.findAndGetUint16Array(key, other, &others).bad() || others != count ||
+        !std::equal(words, words + count, other))
+      return {};
+  }
+  // Entries of 8 bits may share a word, the first in the low byte.
+  const std::size_t in_a_word = most / count;
+  std::vector<std::uint8_t> greys;
+  for (std::size_t i = 0; i < most; ++i) {
+    const unsigned shift = in_a_word == 2 ? 8 * (i % 2) : bits == 16 ? 8 : 0;
+    greys.push_back(static_cast<std::uint8_t>(words[i / in_a_word] >> shift));
+  }
+  return greys;
+}
+
 // Returns the kind of samples that are not grey values, or nothing.
 RejectReason set_samples(DcmItem& dataset, DicomImage& image) {
   const std::string photometric = text_of(dataset, DCM_PhotometricInterpretation);
@@ -150,7 +185,10 @@ RejectReason set_samples(DcmItem& dataset, DicomImage& image) {
                        (photometric == "RGB" || photometric == "YBR_FULL");
   if (image.channels != 1 && !is_read) return {"a colour image"};
   const bool are_numbers = image.segments && image.segments->kind == DicomSegments::Kind::numbers;
-  if (photometric.rfind("PALETTE", 0) == 0 && !are_numbers) return {"a colour image"};
+  if (photometric.rfind("PALETTE", 0) == 0 && !are_numbers) {
+    image.greys = greys_of(dataset);
+    if (image.greys.empty()) return {"a colour image, by its palette"};
+  }
   image.is_inverted = photometric == "MONOCHROME1";
   const auto allocated = whole_of(dataset, DCM_BitsAllocated).value_or(0);
   const auto representation = whole_of(dataset, DCM_PixelRepresentation);

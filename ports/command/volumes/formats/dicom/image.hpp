@@ -52,8 +52,6 @@ struct DicomSegments {
   Kind kind = Kind::bits;
   /// The fraction that means a whole voxel.
   std::uint32_t full = 1;
-  /// Whether the file declares that no voxel belongs to two segments.
-  bool are_disjoint = false;
   /// The segments by number.
   std::map<std::uint32_t, DicomSegment> all;
 };
@@ -89,6 +87,8 @@ struct DicomImage {
   std::optional<DicomSegments> segments;
   /// Whether low values are bright: MONOCHROME1.
   bool is_inverted = false;
+  /// The values of samples that are indexes of a palette; empty if samples are values.
+  std::vector<std::uint8_t> greys;
   /// PixelPaddingValue: the sample for places that were not scanned.
   std::optional<std::int32_t> padding;
   /// The compression of the pixel data; empty if there is none.

@@ -133,7 +133,9 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
       note(info, "no PixelSpacing, 1 mm assumed");
     else if (name != "PixelSpacing")
       note(info, "no PixelSpacing, " + name + " is used" +
-                     (name == "ImagerPixelSpacing" ? ", the spacing at the detector" : ""));
+                     (name == "ImagerPixelSpacing" ? ", the spacing at the detector"
+                      : name == "PixelAspectRatio" ? ", and 1 mm assumed along a row"
+                                                   : ""));
     if (distance == 0) note(info, "no SpacingBetweenSlices or SliceThickness, 1 mm assumed");
   }
   const auto or_one = [](double length) { return length == 0 ? 1 : length; };

@@ -180,6 +180,9 @@ void DicomPixels::decode(const StoredPicture& picture) {
   else
     read_uncompressed(dataset, element, picture);
   if (!image.is_of_bits) cut_to_bits(image, decoded_.data(), bytes);
+  if (!image.greys.empty())
+    std::transform(decoded_.begin(), decoded_.end(), decoded_.begin(),
+                   [&image](unsigned char index) { return image.greys[index]; });
 }
 
 void DicomPixels::read(const DicomFrame& frame, void* samples) {
