@@ -656,6 +656,53 @@ TEST_CASE_FIXTURE(Folder, "the axes of NeXus place an array, also by the borders
   check_refused(file, "the coordinates of the axis 'theta' are uneven, from 0 to 5");
 }
 
+TEST_CASE_FIXTURE(Folder, "the dimensions of EMD name and place an array") {
+  const fs::path file = path() / "v.emd";
+  {
+    const Hdf5Handle opened = new_file(file);
+    const Hdf5Handle group = new_group(opened, "scan");
+    write_numbers(group, "emd_group_type", {1});
+    new_dataset(group, "data", {5, 3, 4}, no_creation());
+    write_coordinates(group, {"dim1", {5, 7, 9, 11, 13}}, "[u_m]");
+    write_coordinates(group, {"dim2", {0, 3, 6}}, "um");
+    write_coordinates(group, {"dim3", {0, 4, 8, 12}}, "um");
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string name = "/scan/dim" + std::to_string(i + 1);
+      write_texts({H5Oopen(opened.id(), name.c_str(), H5P_DEFAULT), H5Oclose}, "name",
+                  {std::string(1, "xyz"[i])});
+    }
+  }
+  const VolumeInfo info = open_volume(file)->info();
+  CHECK(info.dims == Dims{5, 3, 4});
+  CHECK(info.spacing_mm == Spacing{0.002, 0.003, 0.004});
+  REQUIRE(info.placement);
+  CHECK(info.placement->origin_mm == Vector{0.005, 0, 0});
+}
+
+TEST_CASE_FIXTURE(Folder,
+                  "a map of ChimeraX has its step and origin, and its copies do not count") {
+  const fs::path file = path() / "v.cmap";
+  for (const bool is_oblique : {false, true}) {
+    {
+      const Hdf5Handle opened = new_file(file);
+      const Hdf5Handle outer = new_group(opened, "Chimera");
+      const Hdf5Handle group = new_group(outer, "image1");
+      new_dataset(group, "data_zyx", {4, 3, 5}, no_creation());
+      new_dataset(group, "data_zyx_2", {2, 2, 3}, no_creation());
+      write_numbers(group, "step", {2, 3, 4});
+      write_numbers(group, "origin", {5, 6, 7});
+      write_numbers(group, "cell_angles", {90, 90, is_oblique ? 120.0 : 90});
+    }
+    const VolumeInfo info = open_volume(file)->info();
+    CHECK(info.dims == Dims{5, 3, 4});
+    CHECK(info.spacing_mm == Spacing{2, 3, 4});
+    REQUIRE(info.placement);
+    CHECK(info.placement->origin_mm == Vector{5, 6, 7});
+    CHECK(noted(info, "1 angstrom is written as 1 mm"));
+    CHECK(noted(info, "its cell is oblique") == is_oblique);
+  }
+}
+
 // An image of VTK with an array of zeros, and with the marks of ghosts.
 void write_vtk(const fs::path& file, const char* type, const std::vector<double>& extent,
                const char* array, const std::vector<hsize_t>& sizes, bool has_times = false) {

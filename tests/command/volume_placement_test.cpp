@@ -286,6 +286,20 @@ TEST_CASE_FIXTURE(Folder, "MetaImage's letters are noted if they contradict the 
               "AnatomicalOrientation 'RAI' is ignored; by the TransformMatrix it is 'RPI'"));
 }
 
+TEST_CASE_FIXTURE(Folder, "lengths of atoms are enlarged together, with a note") {
+  for (const std::string place : {"units: \"nm\" \"nm\" \"nm\"\nspacings: 0.5 1 2\n",
+                                  "space: LPS\nspace directions: (5e-7,0,0) (0,1e-6,0) (0,0,2e-6)\n"
+                                  "space origin: (5e-6,0,0)\n"}) {
+    const VolumeInfo info = nrrd_info(*this, place);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      CHECK(info.spacing_mm[axis] == doctest::Approx(0.5 * (1U << axis)));
+    CHECK(noted(info, "1 nm is written as 1 mm"));
+    CHECK(info.placement.has_value() == (place[0] == 's'));
+    if (info.placement) CHECK(info.placement->origin_mm[0] == doctest::Approx(5));
+  }
+  CHECK(noted(nrrd_info(*this, "spacings: 1 1 1e-9\n"), "is unusable, 1 mm assumed"));
+}
+
 TEST_CASE_FIXTURE(Folder, "a placement of no use becomes the coordinates, with a note") {
   const VolumeInfo flat = nrrd_info(*this,
                                     "space: LPS\nspace directions: (1,0,0) (0,2,0) (1,1,0)\n"

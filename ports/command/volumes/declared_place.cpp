@@ -26,6 +26,10 @@ Vector lengths_of(const Axes& axes) {
   return {length(axes[0]), length(axes[1]), length(axes[2])};
 }
 
+void multiply(Vector& vector, const Vector& factors) {
+  for (std::size_t i = 0; i < 3; ++i) vector[i] *= factors[i];
+}
+
 // ---- units ----
 
 using Units = std::array<std::string, 3>;
@@ -99,11 +103,25 @@ void note_contradiction(VolumeInfo& info, const DeclaredPlace& place, const Vect
                    " mm is used");
 }
 
-// ---- axes ----
-
-void multiply(Vector& vector, const Vector& factors) {
-  for (std::size_t i = 0; i < 3; ++i) vector[i] *= factors[i];
+// Lengths of atoms are too small for millimetres, so 1 nm becomes 1 mm, as 1 angstrom of MRC does.
+DeclaredPlace of_atoms(VolumeInfo& info, DeclaredPlace place) {
+  constexpr double max_mm = 1e-4, enlargement = 1e6;
+  Vector lengths_mm = millimetres_of(place.steps ? place.space_units : place.axis_units);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    lengths_mm[axis] *=
+        std::fabs(place.steps ? length((*place.steps)[axis]) : place.spacing[axis].value_or(0));
+  const auto [least, most] = std::minmax_element(lengths_mm.begin(), lengths_mm.end());
+  if (!(*least > 0 && *least < min_spacing_mm && *most < max_mm)) return place;
+  note(info, "distances are " + list(lengths_mm) + " mm; 1 nm is written as 1 mm");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    place.origin[axis] *= enlargement;
+    if (place.spacing[axis]) *place.spacing[axis] *= enlargement;
+    if (place.steps) multiply((*place.steps)[axis], {enlargement, enlargement, enlargement});
+  }
+  return place;
 }
+
+// ---- axes ----
 
 // Sets the spacing without its signs, and returns the axes.
 Axes take_axes(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
@@ -174,7 +192,8 @@ std::string in_british_singular(std::string_view name) {
 
 }  // namespace
 
-void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
+void set_place(VolumeInfo& info, const DeclaredPlace& declared, const VolumeOptions& options) {
+  const DeclaredPlace place = options.spacing_mm ? declared : of_atoms(info, declared);
   VolumePlacement placement{place.space, place.origin, take_axes(info, place, options)};
   if (place.origin != Vector{}) note_units(info, place.space_units);
   multiply(placement.origin_mm, millimetres_of(place.space_units));

@@ -36,13 +36,13 @@ struct DeclaredPlace {
 };
 
 /// Sets spacing and placement. Replaces an unknown unit by millimetres, an unusable spacing by 1
-/// mm, unusable directions by the coordinate axes, an unusable origin by 0. Notes each replacement.
-/// options: spacing_mm overrides the file's.
+/// mm, unusable directions by the coordinate axes, an unusable origin by 0. Enlarges lengths below
+/// a nanometre. Notes each replacement. options: spacing_mm overrides the file's.
 ///
 /// The spacing gets the signs of the axes in right-handed coordinates. A surface that uses only the
 /// spacing is therefore turned and moved against the placed one, never mirrored. A placement that
 /// adds nothing to the spacing is dropped.
-void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options);
+void set_place(VolumeInfo& info, const DeclaredPlace& declared, const VolumeOptions& options);
 
 /// Returns the length of a unit in millimetres, or nothing if the name is not a length. Accepts
 /// symbols and words in British or American spelling, singular or plural, in any case: "um",

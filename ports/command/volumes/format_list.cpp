@@ -76,7 +76,7 @@ const std::vector<VolumeFormat>& formats() {
       {"BMP", {".bmp"}, {}, nullptr, open_picture_file},
       {"zip", {".zip", ".mrb"}, {{0, "PK\x03\x04"}}, nullptr, open_zip},
       {"HDF5",
-       {".h5", ".hdf5", ".hdf", ".nxs", ".nc", ".vtkhdf"},
+       {".h5", ".hdf5", ".hdf", ".nxs", ".nc", ".vtkhdf", ".emd", ".cmap"},
        {{0, "\x89HDF"}, {0, "MATLAB 7.3"}},
        nullptr,
        open_hdf5},

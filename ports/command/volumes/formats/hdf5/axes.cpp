@@ -1,5 +1,6 @@
 #include "dataset.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <string_view>
@@ -91,9 +92,25 @@ std::vector<std::string> nexus_names(const Hdf5Handle& dataset, const Hdf5Handle
   return {parts.begin(), parts.end()};
 }
 
+// Reads the axes of EMD, the datasets dim1, dim2, ... beside the array: "z" in "[n_m]".
+bool take_emd_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& group) {
+  if (H5Aexists(group.id(), "emd_group_type") <= 0) return false;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const std::string dim = "dim" + std::to_string(i + 1);
+    const Hdf5Handle scale(H5Oopen(group.id(), dim.c_str(), H5P_DEFAULT), H5Oclose);
+    axes[i] = axis_of(scale);
+    axes[i].name = text_of(scale, "name");
+    std::string& unit = axes[i].unit;
+    const auto is_mark = [](char c) { return c == '[' || c == ']' || c == '_'; };
+    unit.erase(std::remove_if(unit.begin(), unit.end(), is_mark), unit.end());
+  }
+  return true;
+}
+
 void take_nexus_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& dataset) {
   const std::string folder = std::filesystem::path(path_of(dataset)).parent_path().string();
   const Hdf5Handle group(H5Gopen2(dataset.id(), folder.c_str(), H5P_DEFAULT), H5Gclose);
+  if (take_emd_axes(axes, group)) return;
   const auto names = nexus_names(dataset, group);
   for (std::size_t i = 0; i < axes.size() && names.size() == axes.size(); ++i) {
     axes[i] = axis_of({H5Oopen(group.id(), names[i].c_str(), H5P_DEFAULT), H5Oclose});

@@ -1,6 +1,7 @@
 // HDF5, https://docs.hdfgroup.org/hdf5/: a file with many arrays, one of which is the volume.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string_view>
 #include <utility>
 
@@ -100,12 +101,18 @@ void require_plain(const std::filesystem::path& name, const Hdf5Handle& file,
          "write an image, e.g. with ParaView's filter Resample To Image");
 }
 
-// Internal arrays of MATLAB and VTK do not count.
+// ChimeraX stores an array, and smaller copies of it: /Chimera/image1/data_zyx_2.
+bool is_of_chimera(const std::string& path) {
+  return is_in("/Chimera/", path) && path.find("/data_zyx") != std::string::npos;
+}
+
+// Internal arrays of MATLAB and VTK, and smaller copies of ChimeraX, do not count.
 std::vector<NamedArray> arrays_of(const std::vector<Hdf5Description>& datasets) {
   std::vector<NamedArray> arrays;
   for (const Hdf5Description& dataset : datasets)
     if (dataset.path.compare(0, 2, "/#") != 0 &&
-        std::filesystem::path(dataset.path).filename() != vtk_ghosts)
+        std::filesystem::path(dataset.path).filename() != vtk_ghosts &&
+        !(is_of_chimera(dataset.path) && std::isdigit(dataset.path.back()) != 0))
       arrays.push_back({dataset.path, dataset.sizes});
   return arrays;
 }
@@ -215,6 +222,23 @@ void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::stri
   if (const auto numbers = numbers_in<3>(file, geometry + "ORIGIN")) place.origin = *numbers;
 }
 
+void take_chimera_map(VolumeInfo& info, DeclaredPlace& place, const Hdf5Handle& file,
+                      const std::string& path) {
+  if (!is_of_chimera(path)) return;
+  const std::string map = std::filesystem::path(path).parent_path().string();
+  const Hdf5Handle group(H5Gopen2(file.id(), map.c_str(), H5P_DEFAULT), H5Gclose);
+  const auto step = numbers_of(group, "step"), origin = numbers_of(group, "origin");
+  if (step.size() != 3) return;
+  std::copy(step.begin(), step.end(), place.spacing.begin());
+  if (origin.size() == 3) std::copy(origin.begin(), origin.end(), place.origin.begin());
+  place.set_unit("mm");
+  note(info, "lengths are in angstrom; 1 angstrom is written as 1 mm");
+  const auto angles = numbers_of(group, "cell_angles");
+  const bool is_right = std::all_of(angles.begin(), angles.end(), [](double a) { return a == 90; });
+  if (!is_right || !numbers_of(group, "rotation_angle").empty())
+    note(info, "the map is turned or its cell is oblique, which is not applied");
+}
+
 // Reads the geometry of ITK, which is beside the array, with x first, in the space of the patient.
 void take_itk_image(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path,
                     const ArrayLayout& layout) {
@@ -266,6 +290,7 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
   const Hdf5Handle& handle = dataset.handle();
   DeclaredPlace place;
   take_geometry(place, file, dataset.description().path);
+  take_chimera_map(info, place, file, dataset.description().path);
   take_itk_image(place, file, dataset.description().path, layout);
   take_vtk_image(place, name, file, dataset.description().path, layout);
   take_sizes(place, layout, numbers_of(handle, "element_size_um"), {}, "um");
@@ -331,6 +356,7 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   std::string letters = letters_of(dataset);
   if (letters.empty()) letters = letters_of(axes);
   if (letters.empty()) letters = vtk_letters(file, dataset.description());
+  if (letters.empty() && is_of_chimera(dataset.description().path)) letters = "zyx";
   const ArrayLayout layout =
       take_array(info, name, {dataset.description().sizes, letters}, options);
   if (!text_of(dataset.handle(), "MATLAB_class").empty() && options.axes.empty())
