@@ -138,6 +138,10 @@ TEST_CASE_FIXTURE(Folder, "a folder of one volume is that volume, and others are
   fs::remove_all(path() / "a");
   write("2dseq", "...");
   check_refused(path(), "the folder holds Bruker ParaVision, '2dseq'; convert it");
+  fs::remove(path() / "2dseq");
+  write("a/v.hdr", Nifti().pair().header());
+  write("a/v.img", stored(SampleType::u8));
+  CHECK(open_volume(path())->info().dims == Dims{5, 3, 4});
 }
 
 TEST_CASE_FIXTURE(Workshop, "labels that no voxel has are noted, and those that shrinking loses") {
@@ -171,6 +175,9 @@ TEST_CASE_FIXTURE(
   write("v.nii", Nifti().dims({4, 2, 2, 2, 3}).file(std::string(24, '\1')));
   fails("extract v.nii --labels all -o v.glb", 1,
         {"choose one with --frame N", "with --frame 0 to 2, each with --label 1"});
+  write("f.nii", Nifti().dims({4, 2, 2, 2, 3}).type(16).file(std::string(96, '\0')));
+  fails("extract f.nii --labels all -o v.glb", 1,
+        {"if each is the probability of a label, extract them with --frame 0 to 2", "--iso 0.5"});
 }
 
 TEST_CASE_FIXTURE(Folder, "frames that are tracked in different poses are no slices") {

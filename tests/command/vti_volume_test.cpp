@@ -191,6 +191,14 @@ TEST_CASE("the pieces of a .pvti file are one volume, in any order") {
   for (int i = 0; i < 15; ++i) CHECK(slice[i] == sample_at(30 + i, SampleType::u8));
 }
 
+TEST_CASE("a folder of pieces is their volume, and an image that is no piece is another one") {
+  const Pieces pieces;
+  pieces.write(left + right);
+  check_volume(pieces.folder().path(), SampleType::u8, "VTK XML, text, in pieces");
+  pieces.write_piece("other.vti", 0, "UInt8");
+  check_refused(pieces.folder().path(), "several volumes in folders: 2");
+}
+
 TEST_CASE("a channel of pieces is chosen as that of one image") {
   const Pieces pieces;
   pieces.write_piece("left.vti", 0, "UInt8", 3);

@@ -228,6 +228,19 @@ std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::pa
           ", such as " + shown(pictures[0].filename().string()) + "; to read them, " + remedy};
 }
 
+// Whether a header among the files names this file: a.hdr its a.img, a.pvti its pieces.
+bool is_named_in_another(const std::filesystem::path& file,
+                         const std::vector<std::filesystem::path>& files) {
+  constexpr std::size_t max_bytes = 1 << 20;
+  const std::string extension = file.extension().string();
+  const std::string quoted = file.filename().string() + '"';
+  return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& other) {
+    if (extension == ".img") return other == std::filesystem::path(file).replace_extension(".hdr");
+    return extension == ".vti" && other.extension() == ".pvti" &&
+           ByteStream(other).peek(max_bytes).find(quoted) != std::string_view::npos;
+  });
+}
+
 // Opens the only volume in subfolders of a folder, or lists all.
 std::unique_ptr<VolumeReader> open_inner(const std::filesystem::path& folder,
                                          const VolumeOptions& options) {
@@ -238,6 +251,8 @@ std::unique_ptr<VolumeReader> open_inner(const std::filesystem::path& folder,
     if (format != nullptr && is_read(*format) && format->name != "zip" && !is_picture_name(file))
       volumes.push_back(file);
   }
+  const auto is_part = [&files](const auto& file) { return is_named_in_another(file, files); };
+  volumes.erase(std::remove_if(volumes.begin(), volumes.end(), is_part), volumes.end());
   if (volumes.size() == 1) return open_by_kind(volumes[0], options);
   if (volumes.size() > 1)
     fail(folder, "several volumes in folders: " + list_of(volumes), "name one file");
@@ -295,16 +310,22 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
 
 void fail_frames(const std::filesystem::path& file, const VolumeInfo& info,
                  const VolumeOptions& options) {
+  const bool has_labels = !info.labels.empty();
   const std::string frames = std::to_string(info.frames);
-  const std::string remedy = "choose one with --frame N, the first is 0";
-  if (info.labels.empty() && options.holds_labels)
-    fail(file, "the file holds " + frames + " volumes, and one is read at a time",
-         remedy + "; if each is the mask of a label, extract them with --frame 0 to " +
-             std::to_string(info.frames - 1) + ", each with --label 1");
-  if (info.labels.empty())
-    fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
-  fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
-       "select labels with --label NAME, or " + remedy);
+  const std::string last = std::to_string(info.frames - 1);
+  std::string remedy = "choose one with --frame N, the first is 0";
+  if (has_labels)
+    remedy = "select labels with --label NAME, or " + remedy;
+  else if (options.holds_labels && is_floating(info.type))
+    remedy += "; if each is the probability of a label, extract them with --frame 0 to " + last +
+              ", each with --iso 0.5 instead of labels";
+  else if (options.holds_labels)
+    remedy += "; if each is the mask of a label, extract them with --frame 0 to " + last +
+              ", each with --label 1";
+  fail(file,
+       "the file holds " + std::string(has_labels ? "labels in " : "") + frames +
+           " volumes, and one is read at a time",
+       remedy);
 }
 
 bool is_volume_name(const std::filesystem::path& file) {
