@@ -248,6 +248,9 @@ TEST_CASE_FIXTURE(
     data.whole(0x00280006, {is_planar}).text(0x00280008, "IS", std::to_string(depth));
     const auto file = write("a.dcm", data.file());
     check_refused(file, "the file holds 3 channels ('red', 'green', 'blue')");
+    data.text(0x00280004, "CS", "YBR_FULL");
+    check_refused(write("y.dcm", data.file()), "the file holds 3 channels ('Y', 'Cb', 'Cr')");
+    fs::remove(path() / "y.dcm");
     for (const std::uint32_t channel : {0U, 2U}) {
       const auto values = read_all(*open_volume(file, with(&VolumeOptions::channel, channel)));
       REQUIRE(values.size() == depth * count);

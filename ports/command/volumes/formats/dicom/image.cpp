@@ -184,6 +184,7 @@ RejectReason set_samples(DcmItem& dataset, DicomImage& image) {
   const bool is_read = image.channels == 3 && image.compression.empty() &&
                        (photometric == "RGB" || photometric == "YBR_FULL");
   if (image.channels != 1 && !is_read) return {"a colour image"};
+  if (photometric == "YBR_FULL") image.channel_names = {"Y", "Cb", "Cr"};
   const bool are_numbers = image.segments && image.segments->kind == DicomSegments::Kind::numbers;
   if (photometric.rfind("PALETTE", 0) == 0 && !are_numbers) {
     image.greys = greys_of(dataset);
@@ -216,7 +217,9 @@ RejectReason set_samples(DcmItem& dataset, DicomImage& image) {
     return {"an image of " + std::to_string(image.bits) + " bits up to bit " +
             std::to_string(image.high_bit) + " of " + std::to_string(allocated)};
   if (first_item(dataset, DCM_ModalityLUTSequence) != nullptr)
-    return {"an image with a table of values (Modality LUT)"};
+    return {"an image with a table of values (Modality LUT)",
+            "apply it with pydicom, and write the values as they are: "
+            "apply_modality_lut(dataset.pixel_array, dataset)"};
   return {};
 }
 

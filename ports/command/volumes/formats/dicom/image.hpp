@@ -73,6 +73,7 @@ struct DicomImage {
   /// The samples of a voxel: 3 for colours. Planar: each channel is stored on its own.
   std::uint32_t channels = 1;
   bool is_planar = false;
+  std::vector<std::string> channel_names = {"red", "green", "blue"};
   /// The type of a sample, as wide as it is stored.
   SampleType type = SampleType::u8;
   /// The number of bits of a whole number, and the position of its highest bit. Limit: within the

@@ -160,7 +160,7 @@ std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
   order_stack(source, frames, have_same_pixels, options, info);
   info.frames = chosen.among;
   if (frames.size() == 1) note(info, "this is one slice; for a whole series, give its folder");
-  set_channels(info, source, stack.image().channels, options.channel, {"red", "green", "blue"});
+  set_channels(info, source, stack.image().channels, options.channel, stack.image().channel_names);
   return channel_of(source, std::move(info), options.channel, [&](VolumeInfo all) {
     return std::make_unique<DicomVolume>(source, std::move(all), std::move(frames));
   });
