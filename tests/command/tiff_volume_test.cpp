@@ -299,6 +299,8 @@ TEST_CASE("ImageJ's units are read as it writes them") {
   const VolumeInfo in_pixels =
       info_of(numbered(3, "ImageJ=1\nimages=3\nunit=pixel\n", of_four_units));
   CHECK(noted(in_pixels, "its unit is 'pixel', which is not a length"));
+  const VolumeInfo deep = info_of(numbered(3, "ImageJ=1\nimages=3\nspacing=5\n", of_four_units));
+  CHECK(noted(deep, "it has no unit; if it is mm, give --spacing 4,4,5"));
   CHECK(noted(in_pixels, "no spacing given"));
   const VolumeInfo flat = info_of(numbered(3, "ImageJ=1\nimages=3\nunit=mm\n", of_four_units));
   CHECK(noted(flat, "no distance of slices given, 1 unit assumed, as by ImageJ"));

@@ -68,8 +68,17 @@ void set_spacing(Hyperstack& stack, const Description& description, const TiffFa
   const std::string unit(description.text("unit"));
   const auto mm = millimetres_in(unit);
   if (!mm) {
-    if (!unit.empty())
-      stack.notes.push_back("its unit is " + shown(unit) + ", which is not a length");
+    std::string text =
+        unit.empty() ? "it has no unit" : "its unit is " + shown(unit) + ", which is not a length";
+    const auto pixel = [&](std::size_t axis) {
+      return facts.resolution[axis] > 0 ? 1 / facts.resolution[axis] : 1;
+    };
+    const double x = pixel(0), y = pixel(1), z = std::fabs(description.number("spacing", x));
+    const bool is_cube = x == y && y == z;
+    if (!is_cube)
+      text += "; if it is mm, give --spacing " + short_number(x) + ',' + short_number(y) + ',' +
+              short_number(z);
+    if (!is_cube || !unit.empty()) stack.notes.push_back(text);
     return;
   }
   for (std::size_t axis = 0; axis < 2; ++axis)
