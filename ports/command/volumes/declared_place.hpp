@@ -1,8 +1,9 @@
-// The position and orientation of voxels, as a file declares them and as the command uses them. All
-// units, spacings, directions and origins are converted here.
+// The position and orientation of voxels, as a file declares them and as the command uses them, and
+// the values of arrays. All units, spacings, directions and origins are converted here.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,5 +49,22 @@ void set_place(VolumeInfo& info, const DeclaredPlace& declared, const VolumeOpti
 /// symbols and words in British or American spelling, singular or plural, in any case: "um",
 /// "Microns".
 std::optional<double> millimetres_in(std::string_view unit);
+
+/// The scale and fill value of an array, declared by the attributes of NetCDF and xarray.
+struct DeclaredValues {
+  double slope = 1, intercept = 0;
+  std::optional<double> fill{};       ///< marks samples without a value
+  std::optional<bool> is_unsigned{};  ///< of whole numbers; nothing: as stored
+};
+
+/// number: returns the attribute of a name, if it is one number. sign: the text of the attribute
+/// _Unsigned.
+DeclaredValues declared_values(const std::function<std::optional<double>(const char*)>& number,
+                               const std::string& sign);
+
+/// Sets the type and the scale. Returns the fill value as a sample of this type. Limit: info has
+/// the type of the stored samples.
+std::optional<double> set_values(VolumeInfo& info, const std::string& file,
+                                 const DeclaredValues& values);
 
 }  // namespace discmc::command

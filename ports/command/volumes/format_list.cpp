@@ -8,7 +8,6 @@
 #include "array_name.hpp"
 #include "text/words.hpp"
 #include "volumes/formats/dicom/files.hpp"
-#include "volumes/formats/zarr/folder.hpp"
 
 namespace discmc::command {
 namespace {

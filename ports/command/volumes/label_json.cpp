@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "label_description.hpp"
 #include "volume_error.hpp"
 
 namespace discmc::command {

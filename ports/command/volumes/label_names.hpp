@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "label_description.hpp"
+#include "label_table.hpp"
 #include "pictures/srgb.hpp"
 #include "volumes/filters/filters.hpp"
 

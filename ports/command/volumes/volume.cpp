@@ -13,10 +13,8 @@
 #include "unpacked_volume.hpp"
 #include "volumes/filters/filters.hpp"
 #include "volumes/formats/dicom/files.hpp"
-#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/formats/zarr/folder.hpp"
 
 namespace discmc::command {
 namespace {
@@ -68,12 +66,11 @@ std::unique_ptr<VolumeReader> open_requested_masks(const std::filesystem::path& 
        "name one file, or read each file as a label with --labels all or --label NAME");
 }
 
-// Decides by the first bytes, because names of pictures may lack an extension.
+// Decides by the first bytes, because names of pictures may lack an extension. BMP has too few
+// bytes.
 bool is_picture(const std::filesystem::path& file) {
-  ByteStream stream(file);
-  const VolumeFormat* const format = format_of_head(stream.peek(magic_bytes));
-  return format != nullptr &&
-         (format->name == "PNG" || format->name == "TIFF" || format->name == "JPEG");
+  const PictureKind kind = kind_of_head(ByteStream(file).peek(picture_magic_bytes));
+  return kind != PictureKind::none && kind != PictureKind::bmp;
 }
 
 bool is_folder(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <system_error>
 
 namespace discmc::command {
 namespace {
@@ -88,6 +89,17 @@ void set_scale(VolumeInfo& info, const std::string& file, double slope, double i
          "negate the samples and the slope");
   info.slope = slope == 0 ? 1 : slope;
   info.intercept = slope == 0 ? 0 : intercept;
+}
+
+void require_possible(const std::filesystem::path& file, const std::string& what,
+                      std::uint64_t bytes, std::uint64_t expansion) {
+  std::error_code error;
+  const std::uint64_t stored = std::filesystem::file_size(file, error);
+  if (!error && bytes / expansion > stored)
+    fail(file,
+         what + " of " + std::to_string(bytes) + " bytes cannot be in a file of " +
+             std::to_string(stored),
+         "copy or export the file again");
 }
 
 void set_part(VolumeInfo& info, const std::string& file, const std::array<std::uint32_t, 3>& dims,

@@ -3,13 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "label_description.hpp"
+#include "label_table.hpp"
 #include "meshing.hpp"
 #include "samples/slice_reader.hpp"
 #include "samples/volume_placement.hpp"
@@ -61,6 +62,11 @@ void set_channels(VolumeInfo& info, const std::string& file, std::uint64_t chann
 /// Sets value = slope * stored + intercept; a slope of 0 means no scaling. Throws if slope is
 /// negative, or if either is not finite.
 void set_scale(VolumeInfo& info, const std::string& file, double slope, double intercept);
+
+/// Throws if a file cannot hold what it declares: small files may declare large pictures. what: "a
+/// slice". Units: bytes, before any packing. expansion: the largest effect of a packing.
+void require_possible(const std::filesystem::path& file, const std::string& what,
+                      std::uint64_t bytes, std::uint64_t expansion = 16384);
 
 /// Selects a part of the volume, or enlarges its voxels. Voxel (0, 0, 0) has its centre at `first`,
 /// and its neighbours are `step` away, so every voxel keeps its place. Units: original voxels.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "text/number_text.hpp"
-#include "volumes/label_description.hpp"
+#include "volumes/label_table.hpp"
 
 namespace discmc::command {
 namespace {

@@ -1,6 +1,4 @@
 // A folder of masks, one per label, as TotalSegmentator writes them.
-#include "mask_files.hpp"
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -10,6 +8,7 @@
 #include "text/words.hpp"
 #include "volumes/filters/filters.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
+#include "volumes/formats/readers.hpp"
 #include "volumes/packing.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_info.hpp"

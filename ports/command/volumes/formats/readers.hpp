@@ -71,6 +71,27 @@ std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
 std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
                                         const VolumeOptions& options);
 
+/// Whether a path is a Zarr group or array of version 2 or 3, or its metadata file.
+bool is_zarr(const std::filesystem::path& path);
+
+/// Returns the Zarr folder that `folder` is, or that is its only content.
+std::optional<std::filesystem::path> folder_of_zarr(const std::filesystem::path& folder);
+
+/// Whether a file of this name can be one of several masks, which need single-file formats.
+bool is_mask_name(const std::filesystem::path& file);
+
+/// Returns the masks of a folder, without its subfolders.
+std::vector<std::filesystem::path> mask_files(const std::filesystem::path& folder);
+
+/// Opens mask files as volumes of equal extents and place, in the natural order of names;
+/// options.frame is the index of one. Each mask is one label with the name of its file. If options
+/// declare labels, reading refuses a file with two values besides 0. source: the named path. notes:
+/// added to those of the volume.
+std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
+                                         std::vector<std::filesystem::path> files,
+                                         const VolumeOptions& options,
+                                         const std::vector<std::string>& notes = {});
+
 /// Returns the zip file of a path or pattern: scan.zip for scan.zip/*_c0.png, or nothing.
 std::optional<std::filesystem::path> archive_of(const std::filesystem::path& name);
 

@@ -14,9 +14,7 @@
 #include "text/words.hpp"
 #include "volumes/archive_source.hpp"
 #include "volumes/formats/dicom/files.hpp"
-#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
-#include "volumes/formats/zarr/folder.hpp"
 #include "volumes/header_fields.hpp"
 #include "volumes/unpacked_volume.hpp"
 #endif

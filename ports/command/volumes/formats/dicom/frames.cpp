@@ -1,4 +1,4 @@
-#include "frames.hpp"
+#include "image.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "attributes.hpp"
-#include "frames.hpp"
 #include "segmentation.hpp"
 #include "text/number_text.hpp"
 #include "volumes/volume_error.hpp"

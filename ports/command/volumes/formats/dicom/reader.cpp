@@ -63,17 +63,10 @@ class DicomVolume final : public NumberedSlices {
   std::vector<unsigned char> stored_;
 };
 
-// Limits the decoded size per byte, because small files may declare large pictures.
+// Refuses an image that its file cannot hold.
 void require_possible(const DicomImage& image) {
-  constexpr std::uint64_t max_expansion = 16384;
-  std::error_code error;
-  const std::uint64_t file = std::filesystem::file_size(image.file, error);
-  const std::uint64_t picture = picture_bytes(image);
-  if (!error && picture > file * (image.compression.empty() ? 1 : max_expansion))
-    fail(image.file,
-         "an image of " + std::to_string(picture) + " bytes cannot be in a file of " +
-             std::to_string(file),
-         "export or copy the file again");
+  const bool is_packed = !image.compression.empty();
+  command::require_possible(image.file, "an image", picture_bytes(image), is_packed ? 16384 : 1);
 }
 
 struct FoundFrames {

@@ -51,16 +51,10 @@ std::vector<std::string> texts_of(const Hdf5Handle& object, const char* name) {
 }
 
 std::vector<double> coordinates_of(const Hdf5Handle& scale) {
-  constexpr hssize_t max_count = 1 << 20;
   // NetCDF writes a scale even for an axis without coordinates.
   if (text_of(scale, "NAME").rfind("This is a netCDF dimension but", 0) == 0) return {};
   const Hdf5Handle space(H5Dget_space(scale.id()), H5Sclose);
-  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  if (H5Sget_simple_extent_ndims(space.id()) != 1 || count < 1 || count > max_count) return {};
-  std::vector<double> read(static_cast<std::size_t>(count));
-  if (H5Dread(scale.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0)
-    return {};
-  return read;
+  return H5Sget_simple_extent_ndims(space.id()) == 1 ? numbers_in(scale) : std::vector<double>();
 }
 
 std::string path_of(const Hdf5Handle& object) {
@@ -126,6 +120,17 @@ std::vector<double> numbers_of(const Hdf5Handle& object, const char* name) {
   std::vector<double> numbers(attribute.count);
   if ((kind != H5T_INTEGER && kind != H5T_FLOAT) ||
       H5Aread(attribute.id.id(), H5T_NATIVE_DOUBLE, numbers.data()) < 0)
+    return {};
+  return numbers;
+}
+
+std::vector<double> numbers_in(const Hdf5Handle& dataset) {
+  constexpr hssize_t max_count = 1 << 20;
+  const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+  if (count < 1 || count > max_count) return {};
+  std::vector<double> numbers(static_cast<std::size_t>(count));
+  if (H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
     return {};
   return numbers;
 }

@@ -98,6 +98,9 @@ std::vector<Hdf5Axis> axes_of(const Hdf5Handle& dataset, std::size_t count);
 /// too many.
 std::vector<double> numbers_of(const Hdf5Handle& object, const char* attribute);
 
+/// Likewise returns the numbers of a dataset.
+std::vector<double> numbers_in(const Hdf5Handle& dataset);
+
 /// Returns the text of an attribute, or nothing.
 std::string text_of(const Hdf5Handle& object, const char* attribute);
 

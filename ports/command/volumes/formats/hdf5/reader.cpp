@@ -10,7 +10,6 @@
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
 #include "volumes/declared_place.hpp"
-#include "volumes/declared_values.hpp"
 #include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/formats/vtk_image.hpp"
@@ -139,7 +138,7 @@ std::string path_of(const std::filesystem::path& name, const Hdf5Handle& file,
 }
 
 // Returns the axes that ilastik and vigra store as JSON: [{"key": "z", ...}, ...].
-std::string letters_of(const Hdf5Dataset& dataset) {
+std::string letters_of([[maybe_unused]] const Hdf5Dataset& dataset) {
   std::string letters;
 #ifdef DISCMC_WITH_JSON
   const auto tags = nlohmann::json::parse(text_of(dataset.handle(), "axistags"), nullptr, false);
@@ -166,18 +165,6 @@ std::string letters_of(const std::vector<Hdf5Axis>& axes) {
   return letters;
 }
 
-// Limits the unpacked size per byte, because small files may declare large slices.
-void require_possible(const std::filesystem::path& file, const VolumeInfo& info) {
-  constexpr std::uint64_t max_of_a_byte = 16384;
-  std::error_code error;
-  const std::uint64_t bytes = std::filesystem::file_size(file, error);
-  if (!error && info.slice_bytes() > bytes * max_of_a_byte)
-    fail(file,
-         "a slice of " + std::to_string(info.slice_bytes()) + " bytes cannot be in a file of " +
-             std::to_string(bytes),
-         "export or copy the file again");
-}
-
 // Attributes list the three axes of space in stored order; an image may lack the first.
 void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vector<double>& sizes,
                 const std::vector<double>& offsets, const char* unit) {
@@ -191,46 +178,43 @@ void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vect
   }
 }
 
-// Returns the numbers of a dataset, if it has this many.
-template <std::size_t count>
-std::optional<std::array<double, count>> numbers_in(const Hdf5Handle& file,
-                                                    const std::string& path) {
-  if (H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) <= 0) return std::nullopt;
-  const Hdf5Handle dataset(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
-  const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
-  std::array<double, count> numbers{};
-  if (!dataset || H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(count) ||
-      H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
-    return std::nullopt;
-  return numbers;
+// Copies the numbers of an image with x first, unless they are missing.
+template <class Target>
+bool take_three(Target& target, const std::vector<double>& numbers) {
+  if (numbers.size() == 3) std::copy(numbers.begin(), numbers.end(), target.begin());
+  return numbers.size() == 3;
+}
+
+std::vector<double> numbers_in(const Hdf5Handle& file, const std::string& path) {
+  if (H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) <= 0) return {};
+  return command::numbers_in({H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose});
+}
+
+Hdf5Handle folder_of(const Hdf5Handle& file, const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return {H5Gopen2(file.id(), folder.c_str(), H5P_DEFAULT), H5Gclose};
 }
 
 // Reads the geometry of DREAM.3D, which is in a group of its own, with x first and without a unit.
 // DREAM3D-NX stores it in attributes of the array's parent group.
 void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path) {
-  const std::string outer = std::filesystem::path(path).parent_path().parent_path().string();
-  const Hdf5Handle group(H5Gopen2(file.id(), outer.c_str(), H5P_DEFAULT), H5Gclose);
-  const auto spacing = numbers_of(group, "_SPACING"), origin = numbers_of(group, "_ORIGIN");
-  if (spacing.size() == 3) std::copy(spacing.begin(), spacing.end(), place.spacing.begin());
-  if (origin.size() == 3) std::copy(origin.begin(), origin.end(), place.origin.begin());
+  const Hdf5Handle group = folder_of(file, std::filesystem::path(path).parent_path().string());
+  take_three(place.spacing, numbers_of(group, "_SPACING"));
+  take_three(place.origin, numbers_of(group, "_ORIGIN"));
   constexpr std::string_view containers = "/DataContainers/";
   const std::size_t end = path.find('/', containers.size());
   if (path.compare(0, containers.size(), containers) != 0 || end == std::string::npos) return;
   const std::string geometry = path.substr(0, end) + "/_SIMPL_GEOMETRY/";
-  if (const auto numbers = numbers_in<3>(file, geometry + "SPACING"))
-    std::copy(numbers->begin(), numbers->end(), place.spacing.begin());
-  if (const auto numbers = numbers_in<3>(file, geometry + "ORIGIN")) place.origin = *numbers;
+  take_three(place.spacing, numbers_in(file, geometry + "SPACING"));
+  take_three(place.origin, numbers_in(file, geometry + "ORIGIN"));
 }
 
 void take_chimera_map(VolumeInfo& info, DeclaredPlace& place, const Hdf5Handle& file,
                       const std::string& path) {
   if (!is_of_chimera(path)) return;
-  const std::string map = std::filesystem::path(path).parent_path().string();
-  const Hdf5Handle group(H5Gopen2(file.id(), map.c_str(), H5P_DEFAULT), H5Gclose);
-  const auto step = numbers_of(group, "step"), origin = numbers_of(group, "origin");
-  if (step.size() != 3) return;
-  std::copy(step.begin(), step.end(), place.spacing.begin());
-  if (origin.size() == 3) std::copy(origin.begin(), origin.end(), place.origin.begin());
+  const Hdf5Handle group = folder_of(file, path);
+  if (!take_three(place.spacing, numbers_of(group, "step"))) return;
+  take_three(place.origin, numbers_of(group, "origin"));
   place.set_unit("mm");
   note(info, "lengths are in angstrom; 1 angstrom is written as 1 mm");
   const auto angles = numbers_of(group, "cell_angles");
@@ -242,19 +226,16 @@ void take_chimera_map(VolumeInfo& info, DeclaredPlace& place, const Hdf5Handle& 
 // Reads the geometry of ITK, which is beside the array, with x first, in the space of the patient.
 void take_itk_image(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path,
                     const ArrayLayout& layout) {
-  constexpr std::string_view voxels = "/VoxelData";
-  const std::size_t end = path.size() - std::min(path.size(), voxels.size());
-  if (path.rfind("/ITKImage/", 0) != 0 || path.substr(end) != voxels || layout.order() != "zyx")
+  const std::filesystem::path image = std::filesystem::path(path).parent_path();
+  if (!is_in("/ITKImage/", path) || path != image / "VoxelData" || layout.order() != "zyx") return;
+  const auto directions = numbers_in(file, image / "Directions");
+  DeclaredPlace of_itk;
+  if (directions.size() != 9 || !take_three(of_itk.spacing, numbers_in(file, image / "Spacing")) ||
+      !take_three(of_itk.origin, numbers_in(file, image / "Origin")))
     return;
-  const std::string image = path.substr(0, end);
-  const auto spacing = numbers_in<3>(file, image + "/Spacing");
-  const auto origin = numbers_in<3>(file, image + "/Origin");
-  const auto directions = numbers_in<9>(file, image + "/Directions");
-  if (!spacing || !origin || !directions) return;
-  std::copy(spacing->begin(), spacing->end(), place.spacing.begin());
-  place.origin = *origin;
+  place = of_itk;
   place.directions.emplace();
-  for (std::size_t i = 0; i < 9; ++i) (*place.directions)[i / 3][i % 3] = (*directions)[i];
+  for (std::size_t i = 0; i < 9; ++i) (*place.directions)[i / 3][i % 3] = directions[i];
   place.set_unit("mm");
   place.space = Space::lps;
 }
@@ -361,7 +342,7 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
       take_array(info, name, {dataset.description().sizes, letters}, options);
   if (!text_of(dataset.handle(), "MATLAB_class").empty() && options.axes.empty())
     note(info, "an array of MATLAB: its first index is read as x; if it is y, give --axes zxy");
-  if (!dataset.is_virtual()) require_possible(dataset.file(), info);
+  if (!dataset.is_virtual()) require_possible(dataset.file(), "a slice", info.slice_bytes());
   set_place(info, place_of(info, name, file, dataset, axes, layout, options), options);
   const auto number = [&dataset](const char* attribute) {
     const auto numbers = numbers_of(dataset.handle(), attribute);

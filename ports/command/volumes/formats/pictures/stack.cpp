@@ -9,25 +9,11 @@
 
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_info.hpp"
-#include "volumes/volume_stream.hpp"
 
 namespace discmc::command {
 namespace {
 
 using Files = std::vector<std::filesystem::path>;
-
-// Limits the decoded size per byte, because small files may declare large pictures.
-void require_possible(const std::filesystem::path& file, const PictureHeader& header) {
-  constexpr std::uint64_t max_of_a_byte = 16384;
-  const std::uint64_t bytes =
-      std::uint64_t{header.width} * header.height * header.channels * sample_bytes(header.type);
-  const std::uint64_t file_bytes = ByteStream(file).left().value_or(0);
-  if (bytes / max_of_a_byte > file_bytes)
-    fail(file,
-         "a picture of " + std::to_string(bytes) + " bytes cannot be in a file of " +
-             std::to_string(file_bytes),
-         "copy or export the file again");
-}
 
 // Whether files describe each other as a set, so that one of them reads all.
 bool is_set(const std::filesystem::path& source, const std::filesystem::path& file,
@@ -164,7 +150,9 @@ class StackBuilder {
     Headers headers(file, opened);
     const Page any = pages_of(file, stack, 0, frame)[0];
     const PictureHeader header = headers.of(stack.files[any.file], any.number);
-    require_possible(file, header);
+    require_possible(
+        file, "a picture",
+        std::uint64_t{header.width} * header.height * header.channels * sample_bytes(header.type));
     require_size(file, stack, header);
     if (stack_.pages.empty()) choose_channel(stack, header);
     const auto first = static_cast<std::uint32_t>(stack_.files.size());

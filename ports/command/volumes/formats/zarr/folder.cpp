@@ -1,9 +1,10 @@
-#include "folder.hpp"
-
+// Finds folders of Zarr.
 #include <algorithm>
 #include <iterator>
 #include <string_view>
 #include <system_error>
+
+#include "volumes/formats/readers.hpp"
 
 namespace discmc::command {
 namespace {

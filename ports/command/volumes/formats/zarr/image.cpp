@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "chunks.hpp"
-#include "folder.hpp"
 #include "text/words.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
 #include "volumes/byte_source.hpp"
+#include "volumes/formats/readers.hpp"
 #include "volumes/header_fields.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_info.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "description.hpp"
-#include "volumes/declared_values.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {

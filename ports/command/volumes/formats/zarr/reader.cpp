@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "chunks.hpp"
-#include "folder.hpp"
 #include "image.hpp"
 #include "text/words.hpp"
 #include "volumes/array_layout.hpp"
