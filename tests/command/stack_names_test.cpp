@@ -89,6 +89,7 @@ TEST_CASE("names with a second number that varies with the first form one stack"
                                  "img_003_20210105.png"},
         {"part1_0001.png", "part1_0002.png", "part2_0003.png", "part2_0004.png"},
         {"a_001_10-59-58.png", "a_002_10-59-59.png", "a_003_11-00-00.png"},
+        {"a001.PNG", "a002.png", "a003.PNG", "a004.png"},
         {"left.png", "middle.png", "right.png"}}) {
     INFO(names[0]);
     const Pictures pictures(names);
@@ -136,6 +137,11 @@ TEST_CASE("a decimal missing among names is a missing slice") {
         std::vector<int>{0, 1, 2, 2, 3});
   check_refused(Pictures({"s_0.0.png", "s_0.5.png", "s_1.0.png", "s_2.0.png"}).path(),
                 "between s_1.0.png and s_2.0.png");
+}
+
+TEST_CASE("uneven decimals are refused, and the remedy names them") {
+  check_refused(Pictures({"s_0.5.png", "s_1.1.png", "s_1.9.png", "s_3.1.png"}).path(),
+                "if uneven decimals count them, rename them by whole numbers");
 }
 
 TEST_CASE("numbers beside a point are counters if they are no even decimals") {

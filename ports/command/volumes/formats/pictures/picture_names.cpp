@@ -37,7 +37,7 @@ std::vector<std::string> varying_numbers(std::vector<NumberedName> names) {
   const auto varying = static_cast<std::size_t>(differing - first.numbers.begin());
   std::vector<std::string> found;
   for (NumberedName& name : names) {
-    if (name.texts != first.texts) return {};
+    if (name.kind() != first.kind()) return {};
     found.push_back(std::exchange(name.numbers[varying], first.numbers[varying]));
     if (name.numbers != first.numbers) return {};
   }
@@ -260,6 +260,12 @@ std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files) 
            "between " + files[i].filename().string() + " and " + files[i + 1].filename().string()});
   }
   return gaps;
+}
+
+std::vector<std::string> NumberedName::kind() const {
+  std::vector<std::string> kind = texts;
+  kind.back() = lower(kind.back());
+  return kind;
 }
 
 NumberedName::NumberedName(const std::filesystem::path& file) {

@@ -48,6 +48,9 @@ std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files);
 struct NumberedName {
   explicit NumberedName(const std::filesystem::path& file);
 
+  /// Returns the texts, with the extension in lower case: a1.PNG and a2.png are of one kind.
+  std::vector<std::string> kind() const;
+
   std::vector<std::string> texts;    ///< text before, between and after the numbers
   std::vector<std::string> digits;   ///< numbers as written
   std::vector<std::string> numbers;  ///< numbers without leading zeros

@@ -174,8 +174,11 @@ std::string remedy(const Names& names, const std::filesystem::path& folder) {
     if (alike.numbers == names[0].numbers) stack.push_back(name);
   }
   const auto found = pattern_of(stack, any, folder);
-  return found ? "give a pattern of one stack, such as '" + *found + "'"
-               : "copy the pictures of one stack into a folder of their own";
+  const auto& texts = names[0].texts;
+  const bool have_points = std::find(texts.begin() + 1, texts.end(), ".") != texts.end();
+  return (found ? "give a pattern of one stack, such as '" + *found + "'"
+                : "copy the pictures of one stack into a folder of their own") +
+         (have_points ? "; if uneven decimals count them, rename them by whole numbers" : "");
 }
 
 // ---- refusals ----
@@ -211,7 +214,7 @@ void require_one_stack(const std::filesystem::path& source,
   std::vector<Names> kinds;
   for (const auto& file : files) {
     const NumberedName name(file);
-    const auto [kind, is_new] = numbers.try_emplace(name.texts, kinds.size());
+    const auto [kind, is_new] = numbers.try_emplace(name.kind(), kinds.size());
     if (is_new) kinds.emplace_back();
     kinds[kind->second].push_back(name);
   }
