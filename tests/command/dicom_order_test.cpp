@@ -261,16 +261,18 @@ TEST_CASE("slices that all have one position are read in an order on request") {
 TEST_CASE_FIXTURE(Folder, "a palette of greys gives greys, and one of colours is refused") {
   std::vector<std::int64_t> samples;
   std::vector<double> expected;
-  std::vector<std::uint64_t> words, pairs;
+  std::vector<std::uint64_t> words, low, pairs;
   for (int i = 0; i < width * height; ++i) {
     samples.push_back(5 * i);
     expected.push_back(255 - 5 * i);
   }
   for (std::uint64_t i = 0; i < 256; ++i) words.push_back(257 * (255 - i));
+  for (std::uint64_t i = 0; i < 256; ++i) low.push_back(255 - i);
   for (std::uint64_t i = 0; i < 256; i += 2) pairs.push_back(255 - i + ((254 - i) << 8));
   Dataset data = image("1");
   put_at(data, position(0)).samples(samples, 8, false).text(0x00280004, "CS", "PALETTE COLOR");
-  const std::pair<std::vector<std::uint64_t>, std::uint64_t> tables[] = {{words, 16}, {pairs, 8}};
+  const std::pair<std::vector<std::uint64_t>, std::uint64_t> tables[] = {
+      {words, 16}, {low, 16}, {pairs, 8}};
   for (const auto& [table, bits] : tables) {
     for (std::uint32_t colour = 0; colour < 3; ++colour)
       data.whole(0x00281101 + colour, {256, 0, bits}).whole(0x00281201 + colour, table);

@@ -149,10 +149,10 @@ std::vector<std::uint8_t> greys_of(DcmItem& dataset) {
   constexpr std::size_t most = 256;
   const Uint16* words = nullptr;
   unsigned long count = 0;
-  Uint16 first = 0, bits = 0;
-  if (whole_of(dataset, DCM_BitsStored) != 8U || whole_of(dataset, DCM_PixelRepresentation) != 0U ||
+  Uint16 first = 0;
+  if (whole_of(dataset, DCM_BitsAllocated) != 8U ||
+      whole_of(dataset, DCM_PixelRepresentation) != 0U ||
       dataset.findAndGetUint16(DCM_RedPaletteColorLookupTableDescriptor, first, 1).bad() ||
-      dataset.findAndGetUint16(DCM_RedPaletteColorLookupTableDescriptor, bits, 2).bad() ||
       first != 0 ||
       dataset.findAndGetUint16Array(DCM_RedPaletteColorLookupTableData, words, &count).bad() ||
       (count != most && count != most / 2))
@@ -165,11 +165,13 @@ std::vector<std::uint8_t> greys_of(DcmItem& dataset) {
         !std::equal(words, words + count, other))
       return {};
   }
-  // Entries of 8 bits may share a word, the first in the low byte.
+  // Entries of 8 bits may share a word, the first in the low byte. Some programs declare 16 bits,
+  // and write 8.
   const std::size_t in_a_word = most / count;
+  const bool are_low = *std::max_element(words, words + count) < most;
   std::vector<std::uint8_t> greys;
   for (std::size_t i = 0; i < most; ++i) {
-    const unsigned shift = in_a_word == 2 ? 8 * (i % 2) : bits == 16 ? 8 : 0;
+    const unsigned shift = in_a_word == 2 ? 8 * (i % 2) : are_low ? 0 : 8;
     greys.push_back(static_cast<std::uint8_t>(words[i / in_a_word] >> shift));
   }
   return greys;
