@@ -222,6 +222,15 @@ TEST_CASE("a missing spacing is named") {
   const auto stand_in = open_volume(projected.path());
   CHECK(stand_in->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing is used"));
+  const Slices regions([](Dataset& data, int) {
+    Dataset region;
+    region.whole(0x00186024, {3}).whole(0x00186026, {3}).real(0x0018602c, {0.05});
+    region.real(0x0018602e, {0.075});
+    data.drop(0x00280030).sequence(0x00186011, {region});
+  });
+  const auto by_region = open_volume(regions.path());
+  CHECK(by_region->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+  CHECK(noted(by_region->info(), "no PixelSpacing, SequenceOfUltrasoundRegions is used"));
   const Slices ratio(
       [](Dataset& data, int) { data.drop(0x00280030).text(0x00280034, "IS", "3\\2"); });
   const auto by_ratio = open_volume(ratio.path());

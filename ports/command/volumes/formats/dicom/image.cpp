@@ -32,13 +32,32 @@ bool take_spacing(DcmElement* element, const char* name, DicomFrame& frame) {
   return true;
 }
 
+// Returns whether the picture has one region of ultrasound, with distances in centimetres.
+bool take_region(DcmItem& dataset, DicomFrame& frame) {
+  constexpr std::uint32_t centimetres = 3;
+  DcmItem* other = nullptr;
+  DcmItem* const region = first_item(dataset, DCM_SequenceOfUltrasoundRegions);
+  if (region == nullptr ||
+      dataset.findAndGetSequenceItem(DCM_SequenceOfUltrasoundRegions, other, 1).good() ||
+      whole_of(*region, DCM_PhysicalUnitsXDirection) != centimetres ||
+      whole_of(*region, DCM_PhysicalUnitsYDirection) != centimetres)
+    return false;
+  const double x = real_of(*region, DCM_PhysicalDeltaX).value_or(0);
+  const double y = real_of(*region, DCM_PhysicalDeltaY).value_or(0);
+  if (!(x > 0 && y > 0)) return false;
+  frame.spacing_mm = {10 * x, 10 * y};
+  frame.spacing_name = "SequenceOfUltrasoundRegions";
+  return true;
+}
+
 void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& frame) {
   const bool has_lengths =
       take_spacing(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing), "PixelSpacing",
                    frame) ||
       take_spacing(element_of(dataset, DCM_ImagerPixelSpacing), "ImagerPixelSpacing", frame) ||
       take_spacing(element_of(dataset, DCM_NominalScannedPixelSpacing),
-                   "NominalScannedPixelSpacing", frame);
+                   "NominalScannedPixelSpacing", frame) ||
+      take_region(dataset, frame);
   if (!has_lengths &&
       take_spacing(element_of(dataset, DCM_PixelAspectRatio), "PixelAspectRatio", frame))
     frame.spacing_mm = {1, frame.spacing_mm[1] / frame.spacing_mm[0]};
