@@ -95,17 +95,24 @@ std::unique_ptr<VolumeReader> unpacked_volume(const std::filesystem::path& packe
   return std::make_unique<UnpackedVolume>(packed, packing, open);
 }
 
-void unpack(ByteStream& stream, const std::filesystem::path& file) {
+bool write_bytes(const std::filesystem::path& file,
+                 const std::function<std::size_t(void*, std::size_t)>& read) {
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   std::ofstream out(file, std::ios::binary);
   std::array<char, 65536> block;
   std::size_t got = 0;
-  while (out && (got = stream.read(block.data(), block.size())) > 0)
+  while (out && (got = read(block.data(), block.size())) > 0)
     out.write(block.data(), static_cast<std::streamsize>(got));
+  return static_cast<bool>(out.flush());
+}
+
+void unpack(ByteStream& stream, const std::filesystem::path& file) {
+  const bool is_written =
+      write_bytes(file, [&](void* bytes, std::size_t count) { return stream.read(bytes, count); });
   stream.check_end();
   if (!stream.damage().empty()) fail(stream.file(), stream.damage(), "copy the file again");
-  if (!out.flush())
+  if (!is_written)
     fail(stream.file(), "the file cannot be unpacked into the temporary folder",
          "set TMPDIR to a folder with more space, or unpack it yourself");
 }

@@ -19,6 +19,11 @@ std::unique_ptr<VolumeReader> unpacked_volume(
     const std::filesystem::path& packed, std::string_view packing,
     const std::function<std::unique_ptr<VolumeReader>(const std::filesystem::path& folder)>& open);
 
+/// Writes all bytes that `read` returns to a file, and creates its folders. Returns whether the
+/// file is complete.
+bool write_bytes(const std::filesystem::path& file,
+                 const std::function<std::size_t(void* bytes, std::size_t count)>& read);
+
 /// Writes the rest of a stream to a file, and creates its folders.
 void unpack(ByteStream& stream, const std::filesystem::path& file);
 

@@ -6,8 +6,6 @@
 #ifdef DISCMC_WITH_LIBARCHIVE
 #include <archive.h>
 
-#include <array>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -44,17 +42,12 @@ std::filesystem::path inner_path(const std::string& name) {
 
 void unpack_member(const std::filesystem::path& zip, ArchiveSource& archive,
                    const std::filesystem::path& file) {
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
-  std::ofstream out(file, std::ios::binary);
-  std::array<char, 65536> block;
-  std::size_t got = 0;
-  while (out && (got = archive.read(block.data(), block.size())) > 0)
-    out.write(block.data(), static_cast<std::streamsize>(got));
+  const bool is_written =
+      write_bytes(file, [&](void* bytes, std::size_t count) { return archive.read(bytes, count); });
   if (!archive.damage().empty())
     fail(zip, shown(file.filename().string()) + " in the archive is damaged or encrypted",
          "copy or export the archive again, without a password");
-  if (!out.flush())
+  if (!is_written)
     fail(zip, shown(file.filename().string()) + " cannot be unpacked into the temporary folder",
          "set TMPDIR to a folder with more space, or unpack the archive and give the folder");
 }

@@ -24,20 +24,23 @@ bool is_hidden(const Path& file) {
   return file.filename().native().rfind('.', 0) == 0;
 }
 
-// Calls `call` with each entry of a folder and its subfolders, except hidden ones.
-template <class Call>
-void for_each_entry(const Path& folder, Call call) {
+// Returns the entries of a folder and its subfolders, except hidden ones, ordered by name.
+template <class Fits>
+std::vector<Path> entries_in(const Path& folder, Fits fits) {
   using Iterator = std::filesystem::recursive_directory_iterator;
+  std::vector<Path> entries;
   std::error_code error;
   for (Iterator entry(folder, std::filesystem::directory_options::skip_permission_denied, error);
        !error && entry != Iterator(); entry.increment(error)) {
     if (is_hidden(entry->path()))
       entry.disable_recursion_pending();
-    else
-      call(*entry);
+    else if (fits(*entry))
+      entries.push_back(entry->path());
   }
   if (error)
     fail(folder, "the folder cannot be listed (" + error.message() + ")", "check its permissions");
+  std::sort(entries.begin(), entries.end());
+  return entries;
 }
 
 bool is_dicom(const std::filesystem::path& file) {
@@ -137,13 +140,8 @@ bool has_dicom_name(const std::filesystem::path& file) {
 }
 
 std::vector<Path> files_in(const Path& folder) {
-  std::vector<Path> files;
-  for_each_entry(folder, [&](const std::filesystem::directory_entry& entry) {
-    std::error_code unknown;
-    if (entry.is_regular_file(unknown)) files.push_back(entry.path());
-  });
-  std::sort(files.begin(), files.end());
-  return files;
+  std::error_code unknown;
+  return entries_in(folder, [&](const auto& entry) { return entry.is_regular_file(unknown); });
 }
 
 std::vector<Path> dicom_files(const Path& folder) {
@@ -153,13 +151,10 @@ std::vector<Path> dicom_files(const Path& folder) {
 }
 
 std::vector<Path> dead_links(const Path& folder) {
-  std::vector<Path> links;
-  for_each_entry(folder, [&](const std::filesystem::directory_entry& entry) {
-    std::error_code unknown;
-    if (entry.is_symlink(unknown) && !entry.exists(unknown)) links.push_back(entry.path());
+  std::error_code unknown;
+  return entries_in(folder, [&](const auto& entry) {
+    return entry.is_symlink(unknown) && !entry.exists(unknown);
   });
-  std::sort(links.begin(), links.end());
-  return links;
 }
 
 bool is_nested_within(std::uint32_t most, const std::filesystem::path& file) {
