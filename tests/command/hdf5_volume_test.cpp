@@ -658,25 +658,29 @@ TEST_CASE_FIXTURE(Folder, "the axes of NeXus place an array, also by the borders
 
 TEST_CASE_FIXTURE(Folder, "the dimensions of EMD name and place an array") {
   const fs::path file = path() / "v.emd";
-  {
-    const Hdf5Handle opened = new_file(file);
-    const Hdf5Handle group = new_group(opened, "scan");
-    write_numbers(group, "emd_group_type", {1});
-    new_dataset(group, "data", {5, 3, 4}, no_creation());
-    write_coordinates(group, {"dim1", {5, 7, 9, 11, 13}}, "[u_m]");
-    write_coordinates(group, {"dim2", {0, 3, 6}}, "um");
-    write_coordinates(group, {"dim3", {0, 4, 8, 12}}, "um");
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::string name = "/scan/dim" + std::to_string(i + 1);
-      write_texts({H5Oopen(opened.id(), name.c_str(), H5P_DEFAULT), H5Oclose}, "name",
-                  {std::string(1, "xyz"[i])});
+  for (const std::size_t first : {1U, 0U}) {
+    {
+      const Hdf5Handle opened = new_file(file);
+      const Hdf5Handle group = new_group(opened, "scan");
+      write_numbers(group, "emd_group_type", {1});
+      new_dataset(group, "data", {5, 3, 4}, no_creation());
+      // Version 1 counts from 0, and stores two coordinates.
+      const std::vector<double> x =
+          first == 1 ? std::vector<double>{5, 7, 9, 11, 13} : std::vector<double>{5, 7};
+      const std::vector<double> all[] = {x, {0, 3, 6}, {0, 4, 8, 12}};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::string name = "dim" + std::to_string(first + i);
+        write_coordinates(group, {name.c_str(), all[i]}, i == 0 ? "[u_m]" : "um");
+        write_texts({H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), H5Oclose}, "name",
+                    {std::string(1, "xyz"[i])});
+      }
     }
+    const VolumeInfo info = open_volume(file)->info();
+    CHECK(info.dims == Dims{5, 3, 4});
+    CHECK(info.spacing_mm == Spacing{0.002, 0.003, 0.004});
+    REQUIRE(info.placement);
+    CHECK(info.placement->origin_mm == Vector{0.005, 0, 0});
   }
-  const VolumeInfo info = open_volume(file)->info();
-  CHECK(info.dims == Dims{5, 3, 4});
-  CHECK(info.spacing_mm == Spacing{0.002, 0.003, 0.004});
-  REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == Vector{0.005, 0, 0});
 }
 
 TEST_CASE_FIXTURE(Folder,

@@ -86,11 +86,13 @@ std::vector<std::string> nexus_names(const Hdf5Handle& dataset, const Hdf5Handle
   return {parts.begin(), parts.end()};
 }
 
-// Reads the axes of EMD, the datasets dim1, dim2, ... beside the array: "z" in "[n_m]".
+// Reads the axes of EMD, the datasets dim1, dim2, ... beside the array: "z" in "[n_m]". Version 1
+// begins with dim0.
 bool take_emd_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& group) {
   if (H5Aexists(group.id(), "emd_group_type") <= 0) return false;
+  const std::size_t first = H5Lexists(group.id(), "dim0", H5P_DEFAULT) > 0 ? 0 : 1;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const std::string dim = "dim" + std::to_string(i + 1);
+    const std::string dim = "dim" + std::to_string(first + i);
     const Hdf5Handle scale(H5Oopen(group.id(), dim.c_str(), H5P_DEFAULT), H5Oclose);
     axes[i] = axis_of(scale);
     axes[i].name = text_of(scale, "name");

@@ -111,7 +111,8 @@ std::vector<NamedArray> arrays_of(const std::vector<Hdf5Description>& datasets) 
   for (const Hdf5Description& dataset : datasets)
     if (dataset.path.compare(0, 2, "/#") != 0 &&
         std::filesystem::path(dataset.path).filename() != vtk_ghosts &&
-        !(is_of_chimera(dataset.path) && std::isdigit(dataset.path.back()) != 0))
+        !(is_of_chimera(dataset.path) &&
+          std::isdigit(static_cast<unsigned char>(dataset.path.back())) != 0))
       arrays.push_back({dataset.path, dataset.sizes});
   return arrays;
 }
@@ -283,8 +284,12 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
     const Hdf5Axis& axis = axes[*layout.axes[i]];
     if (axis.coordinates.empty()) continue;
     place.axis_units[i] = place.space_units[i] = axis.unit;
-    take_coordinates(place, i, name, axis.name, axis.coordinates, layout.sizes[*layout.axes[i]],
-                     options);
+    const std::uint64_t voxels = layout.sizes[*layout.axes[i]];
+    std::vector<double> coordinates = axis.coordinates;
+    // EMD may store the first two only.
+    for (bool are_two = coordinates.size() == 2; are_two && coordinates.size() < voxels;)
+      coordinates.push_back(2 * coordinates.back() - coordinates[coordinates.size() - 2]);
+    take_coordinates(place, i, name, axis.name, std::move(coordinates), voxels, options);
   }
   return place;
 }
