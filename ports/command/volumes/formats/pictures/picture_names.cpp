@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -86,18 +87,17 @@ std::string_view fraction_of(std::string_view number) {
 
 // Whether numbers are decimals, and not pairs of numbers, such as 1.9 and 1.10.
 bool are_decimals(const std::vector<std::string>& numbers) {
-  const auto is_of_one_size = [&](const std::string& number) {
-    return fraction_of(number).size() == fraction_of(numbers[0]).size();
-  };
-  const auto is_short = [](const std::string& number) {
-    return fraction_of(number).empty() || number.back() != '0';
-  };
-  const auto has_own = [&](const std::string& number) {
-    return number[0] == '-' || fraction_of(number) != fraction_of(numbers[0]);
-  };
-  return (std::all_of(numbers.begin(), numbers.end(), is_of_one_size) ||
-          std::all_of(numbers.begin(), numbers.end(), is_short)) &&
-         std::any_of(numbers.begin(), numbers.end(), has_own);
+  std::set<std::string_view> fractions;
+  std::set<std::size_t> sizes;
+  bool has_final_zero = false, has_sign = false;
+  for (const std::string& number : numbers) {
+    const std::string_view fraction = fraction_of(number);
+    fractions.insert(fraction);
+    sizes.insert(fraction.size());
+    has_final_zero = has_final_zero || (!fraction.empty() && fraction.back() == '0');
+    has_sign = has_sign || number[0] == '-';
+  }
+  return (sizes.size() == 1 || !has_final_zero) && (fractions.size() > 1 || has_sign);
 }
 
 std::uint64_t median_of(std::vector<std::uint64_t> steps) {
