@@ -627,6 +627,13 @@ TEST_CASE_FIXTURE(Hdf5File, "resolution and offset of CREMI are nanometres") {
   CHECK(info.placement->origin_mm[2] == doctest::Approx(400e-6));
 }
 
+TEST_CASE_FIXTURE(Hdf5File, "a spacing whose order and unit are unknown is noted") {
+  write_numbers(new_dataset(new_file(file), "v", {4, 3, 5}, no_creation()), "spacing", {4, 2, 1});
+  const VolumeInfo info = open_volume(file)->info();
+  CHECK(noted(info, "spacing is not used, because its order and unit are unknown"));
+  CHECK(noted(info, "no spacing given"));
+}
+
 TEST_CASE_FIXTURE(Folder, "the axes of NeXus place an array, also by the borders of its voxels") {
   const fs::path file = path() / "v.nxs";
   for (const bool is_older : {false, true}) {

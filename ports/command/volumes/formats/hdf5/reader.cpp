@@ -279,6 +279,10 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
   const auto resolution = numbers_of(handle, "resolution");
   if (resolution.size() == 3) note(info, "resolution and offset are read as nm, as CREMI has them");
   take_sizes(place, layout, resolution, numbers_of(handle, "offset"), "nm");
+  for (const char* const attribute : {"spacing", "voxel_size"})
+    if (numbers_of(handle, attribute).size() == 3)
+      note(info, std::string(attribute) +
+                     " is not used, because its order and unit are unknown; give --spacing X,Y,Z");
   for (std::size_t i = 0; i < 3; ++i) {
     if (!layout.axes[i] || *layout.axes[i] >= axes.size()) continue;
     const Hdf5Axis& axis = axes[*layout.axes[i]];
@@ -287,7 +291,8 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
     const std::uint64_t voxels = layout.sizes[*layout.axes[i]];
     std::vector<double> coordinates = axis.coordinates;
     // EMD may store the first two only.
-    for (bool are_two = coordinates.size() == 2; are_two && coordinates.size() < voxels;)
+    const bool are_two = coordinates.size() == 2;
+    while (are_two && coordinates.size() < voxels)
       coordinates.push_back(2 * coordinates.back() - coordinates[coordinates.size() - 2]);
     take_coordinates(place, i, name, axis.name, std::move(coordinates), voxels, options);
   }
