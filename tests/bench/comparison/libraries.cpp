@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 #include <openvdb/version.h>
 #include <tbb/global_control.h>
+#include <vtkLogger.h>
 #include <vtkSMPTools.h>
 #include <vtkVersion.h>
 
@@ -17,6 +18,7 @@ void settle() {
   mallopt(M_MMAP_THRESHOLD, INT_MAX);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
   static const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_WARNING);
   if (!vtkSMPTools::SetBackend("Sequential")) throw std::runtime_error("VTK insists on threads");
 }
 
