@@ -1,4 +1,4 @@
-// A receiver in C delivers what a Receiver delivers, and a joiner what a Joiner does.
+// Receivers and joiners in C deliver the same events as in C++.
 #include <discmc/discmc.h>
 
 #include <discmc/joiner.hpp>
@@ -21,7 +21,7 @@ const BitVolume& volume() {
 }
 constexpr discmc_limits limits = {20, 15, DISCMC_CLOSED};
 
-// With so little memory that most is sent loose.
+// So little memory that most fragments are loose.
 const Bytes& polygons() {
   static const Bytes stream =
       test::encode(test::events_of(volume(), Extractor32::default_capacities({20, 15}, 3000)),
