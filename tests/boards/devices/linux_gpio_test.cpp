@@ -1,4 +1,4 @@
-// A scan that lines drive: an edge is a row, a missed edge is a skipped one, and nothing is
+// A scan driven by GPIO lines: an edge is a row, a missed edge is a skipped row, and no row is
 // shifted.
 #include <unistd.h>
 #include <gpio/triggered_scan.hpp>
@@ -28,8 +28,8 @@ LineEvent numbered_edge(std::uint32_t number) {
   return edge;
 }
 
-// The queue that Linux has for the events of a line without numbers: while 16 wait, what comes is
-// dropped. Edges come at the given times; the reader comes when it likes and takes what is there.
+// Linux's queue for the events of an unnumbered line: while 16 wait, further events are dropped.
+// Edges come at the given times. The reader reads all waiting events at times of its own.
 class KernelQueue {
  public:
   explicit KernelQueue(std::vector<std::uint64_t> times) : times_(std::move(times)) {}
@@ -139,13 +139,13 @@ TEST_CASE("edges dropped by a full queue are counted for any pace, jitter and pa
       const std::uint64_t jitter = chance.next() % (period / 5);
       times.push_back(time + jitter);
       time += period;
-      if (i % 90 == 80) time += 50 * period;  // the stage turns round
+      if (i % 90 == 80) time += 50 * period;  // the stage reverses
     }
     KernelQueue queue(times);
     EdgeCounter counter;
-    std::vector<std::size_t> rows;  // the edge that each row is taken for
+    std::vector<std::size_t> rows;  // the edge assigned to each row
     std::size_t row = 0;
-    // Up to 30 periods late, but never across a turn, where timestamps are ambiguous.
+    // Up to 30 periods late, but never across a reversal, where timestamps are ambiguous.
     for (std::uint64_t now = 0; !queue.is_over();) {
       now += period / 2;
       const std::size_t at = queue.arrived() % 90;
@@ -200,7 +200,7 @@ TEST_CASE("the row of a missed edge is skipped, and other rows keep their place"
     else
       stage.triggered.take(numbered_edge(i + 1));
   }
-  // The edges after the last received one are missed silently: only the rows show the loss.
+  // The edges after the last received one are missed silently, so only the rows show the loss.
   CHECK(stage.recording.scan.rows() == 997);
   CHECK(stage.triggered.missed() == missed.size() - 3);
   CHECK(stage.triggered.first_missed_row() == 0);
@@ -298,7 +298,7 @@ TEST_CASE("a file returns rows by number, and a pipe the next row") {
   CHECK(text() == "aa");
   CHECK(device->read(7, row));
   CHECK(text() == "bb");
-  CHECK(!device->read(8, row));  // half a row does not count
+  CHECK(!device->read(8, row));  // an incomplete row does not count
   close(ends[0]);
   std::remove(name);
 }

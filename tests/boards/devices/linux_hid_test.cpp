@@ -1,5 +1,5 @@
-// Rows in reports: what arrives whole is a row, lost reports cost their rows, repeated ones
-// nothing.
+// Rows in HID reports: a complete row is accepted, lost reports cost only their rows, and repeated
+// reports cost nothing.
 #include <hid/row_assembler.hpp>
 #include <hid/stream_reports.hpp>
 
@@ -22,7 +22,7 @@ Bytes report_of(Kind kind, std::uint32_t number, std::uint16_t chunk = 0,
   return bytes;
 }
 
-// The reports of all rows, as a scanner sends them.
+// The reports of all rows, as sent by a scanner.
 std::vector<Bytes> reports_of(const std::vector<Bytes>& rows) {
   std::vector<Bytes> reports;
   for (std::uint32_t number = 0; number < rows.size(); ++number) {
@@ -56,7 +56,7 @@ struct Receiver {
   RowAssembler assembler;
 };
 
-// 150 bytes per row: two full reports and one of 38 bytes.
+// 150 bytes per row: two full reports, and one of 38 bytes.
 const ScanPlan plan = plan_of(150, 10, 20);
 constexpr std::size_t chunks = 3;
 
@@ -146,7 +146,7 @@ TEST_CASE("invalid reports are counted and change nothing") {
       report_of(Kind::row, 50, 2, full),          // longer than the end of a row
       report_of(Kind::row, 50, 1, Bytes(55, 1)),  // shorter than the middle of a row
       report_of(Kind::end, 201),                  //
-      report_of(Kind::start, 0),                  // not for us
+      report_of(Kind::start, 0),                  // another device's report
       Bytes(63, 0x11),                            //
       Bytes(64, 0xFF),
   };

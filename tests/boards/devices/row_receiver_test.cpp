@@ -1,4 +1,4 @@
-// Rows over a line: what comes whole is taken once and in order, and nothing else is.
+// Rows over a line: complete rows are accepted once and in order, and nothing else is.
 #include <rows/row_receiver.hpp>
 
 #include "oracle/stream.hpp"
@@ -23,7 +23,7 @@ Bytes start_frame() {
   return frame(Kind::start, row_bytes);
 }
 
-// Zeros among the samples, for the stuffing, and different ones in every row.
+// Samples with zeros, which need stuffing, and different ones in every row.
 Bytes samples_of(uint32_t number, size_t count = row_bytes) {
   Bytes samples(count);
   for (size_t i = 0; i < count; ++i) samples[i] = static_cast<uint8_t>(i % 3 * (number + i));
@@ -39,7 +39,7 @@ Bytes joined(std::initializer_list<Bytes> parts) {
   return all;
 }
 
-// A device with one half, which is free whenever `is_free`. Sanitizers see a byte beyond the half.
+// A device with one buffer, which is free if `is_free`. Sanitizers detect a byte beyond the buffer.
 struct Device {
   RowReceiver receiver{row_bytes};
   Bytes half = Bytes(row_bytes, 0xCC);
@@ -102,7 +102,7 @@ TEST_CASE("any wrong bit costs only its own row") {
       device.take_row(0);
       Bytes bad = good;
       bad[place] = static_cast<uint8_t>(bad[place] ^ 1U << bit);
-      bad.push_back(0);  // as every frame begins, for the wrong bit may be in the last zero
+      bad.push_back(0);  // as every frame begins, because the wrong bit may be in the last zero
       const Events events = device.take(bad);
       CHECK(std::count(events.begin(), events.end(), Event::row) == 0);
       device.take_row(2);
@@ -119,7 +119,7 @@ TEST_CASE("a frame truncated at any byte costs only its own row") {
     CHECK(device.take(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count)))
               .empty());
     const Events events = device.take(row_frame_of(2));
-    // All but the last zero may be missing: the next frame begins with one.
+    // All bytes but the last zero may be missing; the next frame begins with a zero.
     const bool is_whole = count + 1 == whole.size();
     const bool is_told = count > 1;
     CHECK(events == (is_whole  ? Events{Event::row, Event::row}
@@ -226,7 +226,7 @@ TEST_CASE("the end of a scan is reported once, with its kind") {
   Device device = started();
   device.take_row(4);
   CHECK(device.take(frame(Kind::end, 4)) ==
-        Events{Event::dropped});  // of fewer rows than have come
+        Events{Event::dropped});  // of fewer rows than have arrived
   CHECK(device.take(frame(Kind::broken_off, 9)) == Events{Event::broken_off});
   CHECK(device.receiver.number() == 9);
   CHECK(device.take(joined({frame(Kind::broken_off, 9), row_frame_of(9)})).empty());

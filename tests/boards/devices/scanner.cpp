@@ -1,11 +1,11 @@
-// A scanner's HID device, played through /dev/uhid: sends the rows of a file, a report a
-// millisecond, and keeps the stream that it is sent.
+// Simulates a scanner's HID device by /dev/uhid: sends the rows of a file, one report per
+// millisecond, and stores the received stream.
 //
 //   scanner ROWS ROW_BYTES STREAM BEHAVIOUR...
 //
 //   lose:N     report N, from 0, is not sent
-//   repeat:N   it is sent twice
-//   unplug:N   the device goes away before it
+//   repeat:N   report N is sent twice
+//   unplug:N   the device is unplugged before report N
 #include <fcntl.h>
 #include <linux/uhid.h>
 #include <poll.h>
@@ -66,7 +66,7 @@ class Device {
     send(event);
   }
 
-  /// Takes what comes within a time. Units: milliseconds, -1 for ever.
+  /// Reads what arrives within a time. Units: milliseconds, -1 for no limit.
   template <class Take>
   void receive(int timeout, Take take) {
     pollfd waiting{file_, POLLIN, 0};
@@ -74,7 +74,7 @@ class Device {
     uhid_event event{};
     if (read(file_, &event, sizeof event) < 0) fail("scanner: read");
     if (event.type != UHID_OUTPUT) return;
-    // hidapi's report id comes along, which a USB device would not see.
+    // hidapi's report id is included, which a USB device would not receive.
     const std::size_t id = event.u.output.size == Report::bytes + 1 ? 1 : 0;
     if (const auto report = Report::read(event.u.output.data + id, event.u.output.size - id))
       take(*report);

@@ -1,5 +1,5 @@
-// scan_files VOLUME ISO FOLDER: writes what firmware needs to scan a volume, volume.raw and
-// scan.hpp.
+// scan_files VOLUME ISO FOLDER: writes the files that firmware needs to scan a volume, volume.raw
+// and scan.hpp.
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -20,7 +20,7 @@
 namespace discmc::simulator {
 namespace {
 
-// What the board netduinoplus2 has for the arena and two rows of samples. Units: bytes.
+// The memory of the board netduinoplus2 for the arena and two rows of samples. Units: bytes.
 constexpr std::uint64_t memory = std::uint64_t{122} << 10;
 
 const char* sample_of(meshing::SampleType type) {
