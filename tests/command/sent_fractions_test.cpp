@@ -72,7 +72,7 @@ class Received {
   StreamReader reader_;
 };
 
-// Along z the encoder stores only the width of the distance of the sample before.
+// Along z, the encoder stores only the octave of the distance of the sample before.
 constexpr double rounding_along_z = 0.11;
 
 template <class Sample>
