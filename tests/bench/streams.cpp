@@ -1,4 +1,4 @@
-// How far the surface of a stream is from that of the samples, and in how many bytes.
+// The distances between the surfaces of streams and of samples, and the bytes of the streams.
 //
 //   bench_streams cthead.nrrd:500 engine.nii.gz:80
 
@@ -70,7 +70,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Stream {
   Bytes bytes;
-  std::uint64_t memory;  // of the encoder, at least
+  std::uint64_t memory;  // minimum memory of the encoder
 };
 
 ByteOutput output_to(Bytes& bytes) {
@@ -214,7 +214,7 @@ std::vector<Point> normals_of(const FaceMesh& mesh) {
   return normals;
 }
 
-// The mean angle at the crossings that both meshes have. Units: degrees.
+// The mean angle at the crossings of both meshes. Units: degrees.
 double mean_angle(const FaceMesh& mesh, const FaceMesh& exact) {
   const std::vector<Point> normals = normals_of(mesh), exact_normals = normals_of(exact);
   std::unordered_map<Vertex, std::size_t, VertexHash> places;
@@ -258,7 +258,7 @@ CrossingFinder crossings_of(const Scan& scan) {
   return finder;
 }
 
-// Lossless, each slice by itself, if the program has CharLS.
+// Lossless, each slice alone, if built with CharLS.
 void print_samples(const Scan& scan) {
 #ifdef DISCMC_WITH_CHARLS
   const auto volume = scan.open();
@@ -281,7 +281,7 @@ void print_samples(const Scan& scan) {
 #endif
 }
 
-// The mesh of the samples, if the program has VTK.
+// The mesh of the samples, if built with VTK.
 std::optional<FaceMesh> flying_edges(const Scan& scan) {
 #ifdef DISCMC_WITH_VTK
   return bench::flying_edges(*scan.open(), scan.iso() - 0.5);

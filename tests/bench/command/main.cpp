@@ -1,4 +1,4 @@
-// Runs the command discmc and vtk_mesh in turns, from raw volumes to STL and PLY files. Prints
+// Runs the command discmc and vtk_mesh alternately, from raw volumes to STL and PLY files. Prints
 // their processor time and peak memory side by side. scripts/tools/bench-command builds and runs
 // it.
 #include <fcntl.h>
@@ -87,7 +87,7 @@ std::string joined(const Arguments& words) {
   return text;
 }
 
-// How many times as long VTK takes.
+// Returns VTK's time divided by that of discmc.
 using Ratios = std::vector<double>;
 
 // With files of this extension.
