@@ -26,9 +26,9 @@ namespace {
 constexpr size_t max_voxels = 3000;  // of one scan, so that a run takes no longer than it must
 
 /// Memory that ends where a heap block ends and begins at any address.
-class Place {
+class OffsetMemory {
  public:
-  Place(size_t bytes, size_t offset)
+  OffsetMemory(size_t bytes, size_t offset)
       : offset_(offset), bytes_(bytes), all_(new uint8_t[offset + bytes]) {
     std::fill_n(all_.get(), offset_ + bytes_, filling);
   }
@@ -154,8 +154,8 @@ class Caller {
                                 : Extractor<Index>::bytes_for(limits, capacities);
     if (needed > 1 << 20) return;
     const uint64_t bytes = read_bytes(needed, is_split);
-    auto place = std::make_unique<Place>(bytes, input_.below(4));
-    const Memory memory = (flags & 4) != 0 && bytes == 0 ? Memory{} : place->memory();
+    auto block = std::make_unique<OffsetMemory>(bytes, input_.below(4));
+    const Memory memory = (flags & 4) != 0 && bytes == 0 ? Memory{} : block->memory();
     Sink sink = make_sink(listener_);
     if ((flags & 0xF0) == 0xF0) sink.accept = nullptr;
     const int32_t threshold = read_threshold();
@@ -170,11 +170,11 @@ class Caller {
     require(status == expected, "start() comes to another status");
     if (status == Status::too_little_memory) state_ = State::idle;
     if (status != Status::ok) {
-      require(place->is_untouched(), "a start in vain has written");
+      require(block->is_untouched(), "a start in vain has written");
       return;
     }
     check_own_memory();
-    place_ = std::move(place);
+    block_ = std::move(block);
     limits_ = limits;
     threshold_ = threshold;
     require(extractor_.bytes_used() <= bytes, "more bytes in use than were given");
@@ -414,10 +414,10 @@ class Caller {
     const size_t used = parts[1].bytes;
     require(used == extractor_.bytes_used(), "the part of the memory is not bytes_used()");
     const auto image = test::image_of({parts, parts + 2});
-    auto place = std::make_unique<Place>(place_->memory().bytes, place_->offset());
-    const Memory memory = place->memory();
+    auto block = std::make_unique<OffsetMemory>(block_->memory().bytes, block_->offset());
+    const Memory memory = block->memory();
     check_own_memory();
-    place_ = std::move(place);
+    block_ = std::move(block);
     const std::vector<Memory> to = {memory_of(extractor_), memory};
     const Sink sink = make_sink(listener_);
     test::read_back(image, to);
@@ -449,7 +449,7 @@ class Caller {
   }
 
   void check_own_memory() const {
-    require(place_ == nullptr || place_->is_intact(), "a write before the memory");
+    require(block_ == nullptr || block_->is_intact(), "a write before the memory");
   }
 
   // The queries of an extractor.
@@ -460,7 +460,7 @@ class Caller {
     require(most.slots <= room.slots, "more in use than there is room for");
     require(extractor_.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
     require(extractor_.limits().width == limits_.width, "other limits");
-    require(extractor_.bytes_used() <= place_->memory().bytes, "more bytes in use than given");
+    require(extractor_.bytes_used() <= block_->memory().bytes, "more bytes in use than given");
     if (state_ == State::scanning)
       require(size_t{extractor_.slices()} * limits_.height + extractor_.rows() == rows(),
               "other rows counted than given");
@@ -468,7 +468,7 @@ class Caller {
 
   Input& input_;
   Listener listener_;
-  std::unique_ptr<Place> place_;
+  std::unique_ptr<OffsetMemory> block_;
   Extractor<Index> extractor_;
   Limits limits_{1, 1};
   int32_t threshold_ = 0;

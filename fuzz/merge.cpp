@@ -15,7 +15,7 @@
 #include "input.hpp"
 #include "little_memory.hpp"
 #include "oracle/event_log.hpp"
-#include "oracle/least_host.hpp"
+#include "oracle/minimum_host.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "require.hpp"
@@ -333,8 +333,8 @@ void check_nodes(const Scenario& scenario, const EventLog::Refuses& refuses) {
   const EventLog nodes = run<uint32_t, HostExtractor>(large, refuses);
   const EventLog slots = run<uint32_t>(large, {});
   require(nodes.events == slots.events, "a host that keeps nodes gives other events");
-  large.capacities.slots -= host::Chains::min_slots - LeastHost::min_slots;
-  const EventLog least = run<uint32_t, LeastHost>(large, refuses);
+  large.capacities.slots -= host::Chains::min_slots - MinimumHost::min_slots;
+  const EventLog least = run<uint32_t, MinimumHost>(large, refuses);
   require(least.events == slots.events, "a host with the least room gives other events");
 }
 
@@ -373,7 +373,7 @@ void check_slab(const Scenario& scenario) {
   const auto parts = parts_of_slab<Extractor32>(volume, border, first, end);
   require(parts_of_slab<HostExtractor>(volume, border, first, end) == parts,
           "a host gives other parts of a slab");
-  require(parts_of_slab<LeastHost>(volume, border, first, end) == parts,
+  require(parts_of_slab<MinimumHost>(volume, border, first, end) == parts,
           "a host with the least room gives other parts of a slab");
 }
 

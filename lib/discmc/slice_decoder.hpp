@@ -9,9 +9,9 @@
 
 #include <discmc/decoder.hpp>
 #include <discmc/slice_encoder.hpp>
+#include <discmc/slices/coded_surfaces.hpp>
 #include <discmc/slices/fraction_code.hpp>
 #include <discmc/slices/row_coders.hpp>
-#include <discmc/slices/surfaces.hpp>
 
 namespace discmc {
 
@@ -163,7 +163,7 @@ class SliceDecoder {
   uint64_t passed_rows_ = 0;  // handed out or lost
   detail::slices::RowReader coder_;
   detail::slices::RowCode row_;
-  detail::slices::Surfaces surfaces_;
+  detail::slices::CodedSurfaces surfaces_;
   uint8_t* bits_ = nullptr;
   detail::slices::Fractions fractions_;
   uint16_t* fractions_of_row_ = nullptr;

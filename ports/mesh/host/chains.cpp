@@ -23,18 +23,18 @@ void for_each_queue(Visit visit) {
 
 bool Chains::start(Slots& slots) {
   min_free_seats_ = complete_ = joins_ = next_join_ = 0;
-  if (slots.available() < room_.slots()) return false;
+  if (slots.available() < capacities_.slots()) return false;
   (void)new_area(slots, 1);
-  uint32_t seat = new_area(slots, room_.seat_slots()).first * seats_per_slot;
+  uint32_t seat = new_area(slots, capacities_.seat_slots()).first * seats_per_slot;
   for_each_queue([&](uint32_t queue) {
     next_in_seat_[queue] = next_out_seat_[queue] = first_seat_[queue] = seat;
-    end_seat_[queue] = seat += is_at_seam(queue) ? room_.seats_at_seam : room_.seats;
+    end_seat_[queue] = seat += is_at_seam(queue) ? capacities_.seats_at_seam : capacities_.seats;
   });
-  DISCMC_LIMIT(seat == seats_per_slot * (1 + room_.seat_slots()));
-  area_[0] = new_area(slots, room_.nodes);
+  DISCMC_LIMIT(seat == seats_per_slot * (1 + capacities_.seat_slots()));
+  area_[0] = new_area(slots, capacities_.nodes);
   area_[1] = {};
   top_ = area_[0].first;
-  end_ = top_ + room_.nodes;
+  end_ = top_ + capacities_.nodes;
   return true;
 }
 
@@ -52,7 +52,7 @@ void Chains::release(Slots& slots, const Area& area) {
   for (uint32_t i = 0; i < area.slots; ++i) slots.release(area.first + 1 + i);
 }
 
-bool Chains::make_room(Slots& slots) {
+bool Chains::compact(Slots& slots) {
   DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
   if (!grow_queues(slots) || !ensure_spare_area(slots, area_[0].slots)) return false;
   copy_open(slots);
@@ -224,10 +224,10 @@ bool Chains::find_ring(Slots& slots) {
     const uint32_t join = join_[next_join_++];
     uint32_t at = join;
     uint64_t* corner = corner_;
-    uint32_t steps = room_.short_walk;
+    uint32_t steps = capacities_.short_walk;
     do {
       DISCMC_LIMIT(corner <= corner_ + max_corners);
-      corner = node[at].add_corners(corner);
+      corner = node[at].append_corners(corner);
       at = node[at].next;
     } while (at < join && --steps != 0);
     // A newer node: the chain is open. Only a newer shortcut may lead back.
@@ -235,8 +235,8 @@ bool Chains::find_ring(Slots& slots) {
     ring_ = join;
     if (at != join) {
       if (!comes_back(slots, at)) continue;
-      for (at = join, corner = corner_; corner < corner_ + room_.corners;) {
-        corner = node[at].add_corners(corner);
+      for (at = join, corner = corner_; corner < corner_ + capacities_.corners;) {
+        corner = node[at].append_corners(corner);
         at = node[at].next;
         if (at == join) break;
       }

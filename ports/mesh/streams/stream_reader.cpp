@@ -23,9 +23,9 @@ void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t
 }
 
 void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
-  census_.take(bytes, count);
+  census_.add(bytes, count);
   if (filter_) {
-    const std::vector<std::uint8_t> chosen = filter_->take(bytes, count);
+    const std::vector<std::uint8_t> chosen = filter_->select(bytes, count);
     decode(chosen.data(), chosen.size());
   } else {
     decode(bytes, count);

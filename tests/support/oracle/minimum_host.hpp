@@ -1,20 +1,20 @@
-// A host with the smallest memory, so that its queues and areas of nodes grow all the time.
+// A host extractor with minimum capacities, so that its queues and areas of nodes grow often.
 #pragma once
 
 #include "host/host_extractor.hpp"
 
 namespace discmc::reference {
 
-class LeastHost : public HostExtractor {
+class MinimumHost : public HostExtractor {
  public:
-  static constexpr uint32_t min_slots = host::ChainRoom::least().slots();
+  static constexpr uint32_t min_slots = host::ChainCapacities::minimum().slots();
 
-  /// more_seats: of each queue, a multiple of four.
-  explicit LeastHost(uint32_t more_seats = 0) {
-    host::ChainRoom room = host::ChainRoom::least();
-    room.seats += more_seats;
-    room.seats_at_seam += more_seats;
-    sweep().set_room(room);
+  /// more_seats: additional seats of each queue, a multiple of four.
+  explicit MinimumHost(uint32_t more_seats = 0) {
+    host::ChainCapacities capacities = host::ChainCapacities::minimum();
+    capacities.seats += more_seats;
+    capacities.seats_at_seam += more_seats;
+    sweep().set_capacities(capacities);
   }
 };
 
