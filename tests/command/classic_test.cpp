@@ -126,7 +126,7 @@ TEST_CASE("cells of any configuration fit each other") {
   }
 }
 
-TEST_CASE("classic Marching Cubes finds the ball that the samples stand for") {
+TEST_CASE("vertices of classic Marching Cubes lie on the sampled ball") {
   const double radius = 9.2;
   const FaceMesh mesh = classic(ramp({26, 26, 26}, radius));
   for (const Point& vertex : mesh.vertices_mm)

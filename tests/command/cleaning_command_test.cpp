@@ -69,7 +69,7 @@ TEST_CASE_FIXTURE(
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "cleaning that makes no sense is refused") {
+TEST_CASE_FIXTURE(Workshop, "cleaning options that contradict each other are refused") {
   write("v.raw", boxes());
   fails(extract + "--largest 1 -o v.dmc", 2, {"--largest", "a stream"});
   fails(extract + "--min-volume 1 -o v.dmc", 2, {"--min-volume"});

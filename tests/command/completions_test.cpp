@@ -48,7 +48,7 @@ TEST_CASE("bash completes commands, options, and the words that a value can be")
   CHECK(bash_offers("completions ''") == "bash zsh fish\n");
 }
 
-TEST_CASE("bash leaves files to the shell") {
+TEST_CASE("bash completes files by itself") {
   if (!has("bash")) return;
   CHECK(bash_offers("extract v") == "\n");
   CHECK(bash_offers("extract v.nrrd -o v") == "\n");

@@ -25,7 +25,7 @@ double volume_of_box(int x, int y, int z) {
 
 }  // namespace
 
-TEST_CASE("a voxel alone encloses an octahedron of a sixth of its volume") {
+TEST_CASE("a single voxel is an octahedron of a sixth of its volume") {
   CHECK(volume_of_box(1, 1, 1) == doctest::Approx(0.5 * 2 * 3 / 6));
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("separate bodies are components, and a cavity is a component of negati
   CHECK(polygons == sample_reader::surface_of(volume, spacing_mm).polygons.size());
 }
 
-TEST_CASE("bodies that touch in the middle of a cell alone are apart") {
+TEST_CASE("bodies that touch only at the centroid of a cell are separate") {
   BitVolume volume({4, 4, 4});
   put_box(volume, {1, 1, 1}, {1, 1, 1}, 1);
   put_box(volume, {2, 2, 2}, {2, 2, 2}, 1);

@@ -376,7 +376,7 @@ TEST_CASE_FIXTURE(Folder, "slices that are packed one by one are read") {
   CHECK(contains(refusal(path()), "IM2.dcm"));
 }
 
-TEST_CASE("links that lead nowhere are named") {
+TEST_CASE("dangling symbolic links are reported by name") {
   const Slices slices([](Dataset&, int) {});
   fs::create_symlink("/nowhere/IM9", slices.path() / "IM9");
   const auto reader = open_volume(slices.path());

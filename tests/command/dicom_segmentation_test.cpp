@@ -103,7 +103,7 @@ TEST_CASE_FIXTURE(Folder, "bits of segments are one volume of their numbers, wit
   CHECK(read_all(*reader) == slices_of({box(0, 2, 1, 2), second}));
 }
 
-TEST_CASE_FIXTURE(Folder, "slices that no segment has are empty") {
+TEST_CASE_FIXTURE(Folder, "slices without any segment are empty") {
   const auto file = write("v.dcm", segmentation("BINARY", {segment(3, "Rib")},
                                                 {{3, 4, box(0, 1, 0, 1)}, {3, 1, box(2, 3, 2, 3)}})
                                        .file());

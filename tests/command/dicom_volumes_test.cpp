@@ -138,7 +138,7 @@ TEST_CASE("frames count within the series that is chosen") {
   CHECK(read_all(*open_volume(volumes.path(), options)) == as_read(volume_values()));
 }
 
-TEST_CASE("values of echoes that differ in their rounding are one") {
+TEST_CASE("echo times that differ only by rounding are equal") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     data.text(echo_time, "DS",
               std::string(number == 0 ? "4.6" : "9.2") + (z == 2 ? "00000001" : ""));

@@ -37,7 +37,7 @@ class Gone : public std::streambuf {
   int sync() override { return -1; }
 };
 
-TEST_CASE("every reader gets all, however late") {
+TEST_CASE("every reader of a pipe receives all bytes, however late") {
   Pipe pipe;
   LiveFile live(pipe.path());  // there is no writer yet
   std::ostringstream early, late;

@@ -63,7 +63,7 @@ bool is_vertex(const FaceMesh& mesh, const Point& point) {
 
 }  // namespace
 
-TEST_CASE("a lone voxel is an octahedron of half its spacing") {
+TEST_CASE("a single voxel is an octahedron of half its spacing") {
   const Surface surface = octahedron({1, 2, 3});
   CHECK(hand_made::six_volumes(surface) == 8);
   for (const Faces faces : both_kinds) {

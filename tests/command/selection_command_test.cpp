@@ -58,7 +58,7 @@ TEST_CASE_FIXTURE(Workshop, "a range is encoded in streams of both kinds") {
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "selections that make no sense are refused before any work") {
+TEST_CASE_FIXTURE(Workshop, "invalid selections are refused before any work") {
   write("v.raw", volume_files::stored(volume_files::SampleType::u8));
   fails(ramp + "-o v.stl", 2, {"--iso", "--range", "--label"});
   fails(ramp + "--range 9..8 -o v.stl", 2, {"'9..8'", "LOW..HIGH"});

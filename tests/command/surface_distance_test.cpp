@@ -59,7 +59,7 @@ TEST_CASE("the distance of a mesh to itself is 0, and of a moved square the way 
   CHECK(lifted.largest == doctest::Approx(0.25));
 }
 
-TEST_CASE("distances are from one mesh to the other, and may differ the other way") {
+TEST_CASE("the distance from one mesh to another may differ from that in the other direction") {
   // A quarter of the large square lies below the small one.
   const Distances small_to_large = distances(square(10, 0), square(20, 0));
   CHECK(small_to_large.largest < 1e-9);

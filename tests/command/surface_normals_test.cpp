@@ -118,7 +118,7 @@ TEST_CASE("vertices at equal positions have one normal") {
     check_near(normals[i], expected[mesh.corners[i]]);
 }
 
-TEST_CASE("a triangle counts by its angle, whatever its area") {
+TEST_CASE("a triangle's normal is weighted by its angle, not by its area") {
   // The floor is nine times as long as the wall. They meet in the edge from (0,0,0) to (0,1,0).
   FaceMesh mesh;
   mesh.vertices_mm = {{0, 0, 0}, {9, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -130,7 +130,7 @@ TEST_CASE("a triangle counts by its angle, whatever its area") {
   check_near(normals[3], {1, 0, 0});
 }
 
-TEST_CASE("there is no normal where no face is, or where two of them cancel each other out") {
+TEST_CASE("a vertex without faces, or with normals that cancel, has no normal") {
   FaceMesh mesh;
   mesh.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
   mesh.corners = {0, 1, 2, 0, 2, 1};

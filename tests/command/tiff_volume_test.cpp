@@ -329,7 +329,7 @@ TEST_CASE_FIXTURE(Folder,
   check_refused(write("w.tif", numbered(3, "ImageJ=1\nslices=0\n").bytes()), "slices is '0'");
 }
 
-TEST_CASE_FIXTURE(Folder, "points in time are not slices") {
+TEST_CASE_FIXTURE(Folder, "times of a series are not slices") {
   const fs::path file = write("v.tif", numbered(3, "ImageJ=1\nimages=3\nframes=3\n").bytes());
   check_refused(file, "the file holds 3 volumes of one slice each");
   check_refused(file, "if they are slices, give --axes zyx");
@@ -408,7 +408,7 @@ TEST_CASE_FIXTURE(Folder,
   CHECK(pages_read(two, chosen(1, {})) == Pages{2, 3});
 }
 
-TEST_CASE_FIXTURE(Folder, "files of several slices each are one volume only by --axes") {
+TEST_CASE_FIXTURE(Folder, "files with several slices each are one volume only with --axes") {
   write("a/t1.tif", numbered(4, ome(image(four_slices))).bytes());
   write("a/t2.tif", numbered(4, ome(image(four_slices))).bytes());
   check_refused(path() / "a", "2 files, of which 't1.tif' alone has 4 slices",

@@ -221,7 +221,7 @@ TEST_CASE("a wall with thousands of holes is triangulated") {
   CHECK(area == 2 * (101 * 101 - 2500));
 }
 
-TEST_CASE("one triangulator takes polygon after polygon") {
+TEST_CASE("a triangulator is reusable for further polygons") {
   Triangulator triangulator;
   const Rings large = rings({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {3, 6}, {6, 6}, {6, 3}}});
   const Rings small = rings({{{0, 0}, {1, 0}, {0, 1}}});

@@ -134,7 +134,7 @@ TEST_CASE_FIXTURE(Folder, "further arrays in VTK's files are noted") {
   CHECK(notes_of(write("v.vti", vti(spacing, "Scalars=\"a\">" + in_place))) == Notes{no_unit});
 }
 
-TEST_CASE("a note is given once") {
+TEST_CASE("a note is printed once") {
   VolumeInfo info;
   note(info, "a");
   note(info, "b");

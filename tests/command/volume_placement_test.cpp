@@ -286,7 +286,7 @@ TEST_CASE_FIXTURE(Folder, "MetaImage's letters are noted if they contradict the 
               "AnatomicalOrientation 'RAI' is ignored; by the TransformMatrix it is 'RPI'"));
 }
 
-TEST_CASE_FIXTURE(Folder, "a placement of no use becomes the coordinates, with a note") {
+TEST_CASE_FIXTURE(Folder, "an unusable placement is replaced by the coordinates, with a note") {
   const VolumeInfo flat = nrrd_info(*this,
                                     "space: LPS\nspace directions: (1,0,0) (0,2,0) (1,1,0)\n"
                                     "space origin: (1,2,3)\n");

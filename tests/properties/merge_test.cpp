@@ -119,7 +119,7 @@ void check_known(const BitVolume& volume, const Known& known) {
 
 }  // namespace
 
-TEST_CASE("shapes plain and hostile are swept as in the paper") {
+TEST_CASE("regular and hostile shapes are swept as in the paper") {
   for (const Named& shape : shapes())
     for (const bool is_closed : {true, false}) {
       INFO(shape.name, ", is_closed ", is_closed);

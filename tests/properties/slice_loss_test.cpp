@@ -101,7 +101,7 @@ TEST_CASE("a loss of 256 packets before a header is detected, even after other l
   }
 }
 
-TEST_CASE("a trailer that claims more rows than a scan can have is not believed") {
+TEST_CASE("a trailer with more rows than a scan can have is ignored") {
   const Sent& sent = sent_with_keys();
   Packet trailer = packet_of(sent.frames.back());
   std::fill_n(trailer.payload.begin() + 5, 8, uint8_t{0xFF});

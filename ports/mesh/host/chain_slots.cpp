@@ -18,7 +18,7 @@ bool is_centroid(const Vertex& v) {
   return (v.x & v.y & 1) != 0;
 }
 
-// The voxels before this one have been visited.
+// The position of the sweep: voxels before this one have been visited.
 struct Front {
   int32_t x, y, z;
 

@@ -140,7 +140,8 @@ void Chains::find_min_free_seats() {
   min_free_seats_ = min_free;
 }
 
-// Moves what waits in a queue to its first seats, or to twice as many elsewhere if there are slots.
+// Moves the waiting nodes of a queue to its first seats, or to twice as many seats elsewhere if
+// there are slots.
 void Chains::grow_queue(Slots& slots, uint32_t queue) {
   uint32_t* const seat = seats(slots);
   const uint32_t waiting = back(queue) - front(queue);
@@ -176,7 +177,7 @@ void Chains::release_all(Slots& slots) {
 
 namespace {
 
-// All bits or none.
+// Returns all bits if the number is zero, otherwise none.
 DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
   return 0 - static_cast<uint32_t>(number == 0);
 }
@@ -249,8 +250,8 @@ bool Chains::find_ring(Slots& slots) {
   return false;
 }
 
-// Whether the chain returns to the join of ring_. at: where the short walk stopped. If it does not,
-// adds a shortcut to the last node reached.
+// Whether the chain returns to the join of ring_. at: the node at which the short walk stopped. If
+// the chain does not return, adds a shortcut to the last node reached.
 DISCMC_NOINLINE bool Chains::comes_back(Slots& slots, uint32_t at) {
   Node* const node = nodes(slots);
   uint32_t last = at;

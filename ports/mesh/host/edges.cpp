@@ -10,22 +10,22 @@ namespace {
 using detail::trace::columns_per_word;
 using detail::trace::SweptRow;
 
-// From a voxel to the next one.
+// The vector from a voxel to the next one.
 constexpr uint64_t next_voxel = CornerCode::vector({2, 0, 0});
 
 uint64_t two_words(const uint32_t* words) {
   return words[0] | uint64_t{words[1]} << 32;
 }
 
-// The own columns of two words.
+// The columns of two words, without the copies of neighbouring columns.
 constexpr uint64_t own_columns = detail::trace::own_columns * uint64_t{0x100000001};
 
-// The slice of a position, which may lie a column or a row before the first.
+// Returns the slice of a position, which may lie a column or a row before the first.
 [[maybe_unused]] uint32_t slice_of(uint64_t position) {
   return static_cast<uint32_t>((position + CornerCode::vector({2, 2, 0})) >> 48);
 }
 
-// A word of each of the nine rows around a row.
+// One word of each of the nine rows around a row.
 class BlockWord {
  public:
   BlockWord(const detail::trace::RowBlock& rows, uint32_t word) {
@@ -39,7 +39,7 @@ class BlockWord {
     rows_3_8_ = pair(row[1][0], row[2][2]);
     row_4_ = row[1][1][word];
   }
-  // RayTable::lines of all voxels around one.
+  // Returns RayTable::lines of all voxels around one.
   uint64_t lines(uint32_t bit) const {
     const auto columns = [shift = bit - 1](uint64_t rows) { return rows >> shift & 0x700000007; };
     uint64_t block = columns(row_4_);

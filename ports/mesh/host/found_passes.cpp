@@ -11,8 +11,8 @@ namespace {
 
 constexpr uint32_t incidences = incidence_bits >> incidence_shift;
 
-// Adds the rays of a half: the first one only if its sector differs from the sector before, the
-// last one of the other half.
+// Adds the rays of a half. The first ray exists only if its sector differs from the sector before
+// it, the last sector of the other half.
 DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWord first,
                                        RayWord first_before) {
   const uint32_t differ = first >> incidence_shift ^ first_before >> HalfRays::last_shift;

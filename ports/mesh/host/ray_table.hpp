@@ -74,9 +74,9 @@ struct HalfRays {
 };
 
 struct RayTable {
-  /// The share of 3 x 3 voxels of a slice in the lines around the middle voxel. First index: the
-  /// slice below, with, or above that voxel. Second index: the voxels, bit x + 3 y. Each axis has
-  /// 21 bits, from the lowest: lines 0 to 4 (10), the voxel (1), lines 4 to 7 and 0 (10).
+  /// The lines of 3 x 3 voxels of a slice around the middle voxel. First index: the slice below,
+  /// with, or above that voxel. Second index: the voxels, bit x + 3 y. Each axis has 21 bits, from
+  /// the lowest: lines 0 to 4 (10), the voxel (1), lines 4 to 7 and 0 (10).
   uint64_t lines[3][512];
   static constexpr uint32_t axis_bits = 2 * HalfRays::lines_bits + 1;
   static_assert(3 * axis_bits <= 64, "three axes fit");

@@ -42,7 +42,7 @@ std::array<std::uint32_t, 3> SmoothedVolume::reach(const SampleGrid& info, doubl
   return voxels;
 }
 
-// The first blur still holds a slice's distances three deviations later.
+// The first blur still has a slice's distances three deviations later.
 void SmoothedVolume::read_slice(void* samples) {
   auto* result = static_cast<float*>(samples);
   twice_.next(result);

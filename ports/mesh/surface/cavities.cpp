@@ -82,7 +82,7 @@ class Rays {
     }
   }
 
-  // Calls call(component of the ray, meeting) for all that a ray meets.
+  // Calls call(component of the ray, meeting) for each meeting of a ray.
   template <class Call>
   void for_each_meeting(const Call& call) {
     std::sort(meetings_.begin(), meetings_.end());
@@ -135,7 +135,7 @@ bool is_cavity(const Component& component) {
   return component.volume_mm3 < 0;
 }
 
-// Rays from all cavities, or from all bodies, to the polygons of the others.
+// Returns the rays from all cavities, or from all bodies, to the polygons of the others.
 Rays rays_between(const Surface& surface, const std::vector<Component>& components,
                   bool is_from_cavities) {
   std::vector<Start> starts;

@@ -89,7 +89,7 @@ void SurfaceBuilder::accept_region(const OneRingRegion& region) {
     add_touching_rings(0);
     return end_polygon();
   }
-  // This is an outer ring, and begins at its last vertex.
+  // This is an outer ring that begins at its last vertex.
   simple_rings_.push_back({0, corners_.size()});
   keep_or_count();
 }
@@ -125,8 +125,8 @@ bool SurfaceBuilder::is_sound(const Chain& chain) const {
   return is_always_inside && x == chain.start.x && y == chain.start.y && z == chain.start.z;
 }
 
-// Returns whether the ring only turns left. Most rings do. They are simple, because no ring of a
-// sweep crosses itself.
+// Reads the corners of a ring. Returns whether it only turns left. Such rings are simple, because
+// no ring of a sweep crosses itself.
 bool SurfaceBuilder::read_region_corners(const OneRingRegion& region) {
   const std::uint32_t count = region.corner_count(), round = direction_count(incidence_);
   std::uint32_t max_turn = 0;
@@ -139,8 +139,8 @@ bool SurfaceBuilder::read_region_corners(const OneRingRegion& region) {
   return 2 * max_turn < round;
 }
 
-// Returns whether the ring only turns to one side, and winds once, which makes it simple. A stream
-// may hold any ring.
+// Reads the corners of a ring. Returns whether it only turns to one side, and winds once, which
+// makes it simple. A stream may contain any ring.
 bool SurfaceBuilder::read_chain_corners(const Chain& chain) {
   if (chain.begin == chain.end) return false;
   const int round = direction_count(incidence_);

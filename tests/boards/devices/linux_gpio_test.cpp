@@ -169,7 +169,7 @@ TEST_CASE("a press is reported on release, as brief or lengthy") {
   CHECK(button.take(false, 4999 * ms) == Button::Press::brief);
 }
 
-TEST_CASE("a button that bounces is pressed once") {
+TEST_CASE("a bouncing button counts as pressed once") {
   Button button;
   CHECK(button.take(true, 100 * ms) == Button::Press::none);
   CHECK(button.take(false, 101 * ms) == Button::Press::none);

@@ -98,7 +98,7 @@ TEST_CASE("a filter refuses invalid limits and too little memory") {
   CHECK(filter.start({0, 4}, block.memory()) == Status::bad_limits);
 }
 
-TEST_CASE("a filter that is started again forgets everything") {
+TEST_CASE("a restarted filter is independent of the previous volume") {
   const Limits limits{10, 3};
   Block block(MajorityFilter::bytes_for(limits));
   MajorityFilter filter;

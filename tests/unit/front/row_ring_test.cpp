@@ -152,7 +152,7 @@ TEST_CASE("a ring that is not started has no room and no rows") {
   CHECK(ring.peek() == Next::none);
 }
 
-TEST_CASE("a ring that is started again begins anew") {
+TEST_CASE("a restarted ring is empty") {
   Ring ring(3);
   for (int row = 0; row < 2; ++row) CHECK(produce(ring));
   ring.drop();

@@ -588,7 +588,7 @@ TEST_CASE("a region is right if all its fragments arrive, and the other fragment
       }
 }
 
-TEST_CASE("a fragment lost halfway is discarded, and the sink is informed if it received a part") {
+TEST_CASE("a fragment lost halfway is discarded, and reported if the sink received a part") {
   const Events whole = square_region({1, 0, 0}, 3).region_end().events;
   Events events = fragment_of(test::up, {1, 0, 0}, 2, {Run::straight(2, 3)});
   events.back() = test::Script().lost().events[0];

@@ -354,7 +354,7 @@ TEST_CASE("a trailer that counts fewer rows than arrived reports none lost") {
   }
 }
 
-TEST_CASE("a slice decoder that is started again forgets everything") {
+TEST_CASE("a restarted slice decoder is independent of the previous stream") {
   const BitVolume volume = reference::random({40, 9, 8}, 60, 4);
   SlicePlan plan{{2}};
   plan.surface_count = 2;
