@@ -2,10 +2,10 @@
 # them (first_use.cpp). Other programs link these readers as they link the rest of a library.
 set(modules_folder ${CMAKE_CURRENT_LIST_DIR})
 
-# discmc_in_module(library NAME READER function LIBRARIES libraries... [INCLUDE folder] SOURCES files...)
+# discmc_in_module(library NAME READER function LIBRARIES libraries... [INCLUDE folders...] SOURCES files...)
 # adds files to a library, and makes a module of the same objects.
 function(discmc_in_module library name)
-  cmake_parse_arguments(PARSE_ARGV 2 with "" "READER;INCLUDE" "LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 2 with "" "READER" "LIBRARIES;INCLUDE;SOURCES")
   string(TOLOWER discmc_${name} module)
   add_library(${module}_objects OBJECT ${with_SOURCES})
   set_target_properties(${module}_objects PROPERTIES

@@ -65,7 +65,7 @@ bool are_folded(const PlacedTriangle& a, const PlacedTriangle& b) {
   return dot(up, other) > folded * std::sqrt(dot(up, up) * dot(other, other));
 }
 
-bool collide(const PlacedTriangle& a, const PlacedTriangle& b) {
+bool collide(const ComparedTriangle& a, const PlacedTriangle& b) {
   const unsigned shared = count_shared(a.numbers, b.numbers);
   return shared == 3 || (shared == 2 ? are_folded(a, b) : intersect(a, b));
 }
@@ -136,13 +136,13 @@ bool keeps_shape(const Collapse& collapse, const CollapsingMesh& mesh) {
 
 bool keeps_apart(const Collapse& collapse, const CollapsingMesh& mesh, const BoxTree& tree) {
   const bool is_simple = !mesh.is_border(collapse.kept) && is_simple_fan(collapse);
-  std::vector<PlacedTriangle> moved;
+  std::vector<ComparedTriangle> moved;
   std::vector<FourBoxes> boxes((collapse.moved.size() + 3) / 4);
   moved.reserve(collapse.moved.size());
   Box all;
   for (const Collapse::Moved& each : collapse.moved) {
     const std::size_t count = moved.size();
-    moved.push_back({each.numbers.data(), each.after});
+    moved.emplace_back(PlacedTriangle{each.numbers.data(), each.after});
     for (std::size_t i = 0; !is_simple && i < count; ++i)
       if (collide(moved[i], moved.back())) return false;
     const Box box(each.after);

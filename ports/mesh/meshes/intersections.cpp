@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 
 #include "box_tree.hpp"
 #include "jobs/ordered_pipeline.hpp"
@@ -20,10 +21,9 @@ PlacedTriangle placed(const FaceMesh& mesh, std::uint32_t face) {
   return {mesh.face(face), corners_of(mesh, face)};
 }
 
-bool intersect(const FaceMesh& mesh, const FacePair& faces) {
-  const auto [one, other] = faces;
-  const bool share_an_edge = count_shared(mesh.face(one), mesh.face(other)) > 1;
-  return !share_an_edge && intersect(placed(mesh, one), placed(mesh, other));
+bool intersect(const FaceMesh& mesh, const ComparedTriangle& one, std::uint32_t other) {
+  const bool share_an_edge = count_shared(one.numbers, mesh.face(other)) > 1;
+  return !share_an_edge && intersect(one, placed(mesh, other));
 }
 
 std::vector<Box> boxes_of(const FaceMesh& mesh, const FaceList& faces) {
@@ -49,10 +49,13 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
   run_in_order<std::vector<FacePair>>(
       jobs, tree.part_count(), [](std::size_t, std::vector<FacePair>& found) { found.clear(); },
       [&](std::size_t number, std::vector<FacePair>& found) {
-        tree.for_each_near_pair(number, [&](std::uint32_t one, std::uint32_t other) {
-          const FacePair pair = {std::min(faces[one], faces[other]),
-                                 std::max(faces[one], faces[other])};
-          if (intersect(mesh, pair)) found.push_back(pair);
+        std::optional<ComparedTriangle> compared;
+        tree.for_each_near_pair(number, [&](std::uint32_t place, std::uint32_t other_place) {
+          const std::uint32_t one = faces[place], other = faces[other_place];
+          if (!compared || compared->numbers != mesh.face(one))
+            compared.emplace(placed(mesh, one));
+          if (intersect(mesh, *compared, other))
+            found.push_back({std::min(one, other), std::max(one, other)});
         });
       },
       [&](std::size_t, const std::vector<FacePair>& found) {

@@ -1,10 +1,12 @@
 // A typical program of VTK that writes a mesh file of a volume: FlyingEdges3D, and the STL or PLY
 // writer.
-// Arguments: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT. The file contains only samples.
+// Arguments: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT THREADS. The file contains only
+// samples.
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageReader2.h>
 #include <vtkNew.h>
 #include <vtkPLYWriter.h>
+#include <vtkSMPTools.h>
 #include <vtkSTLWriter.h>
 #include <vtkType.h>
 
@@ -27,10 +29,16 @@ int main(int argc, char** argv) {
                                             {"u16", VTK_UNSIGNED_SHORT}, {"i16", VTK_SHORT},
                                             {"u32", VTK_UNSIGNED_INT},   {"i32", VTK_INT},
                                             {"f32", VTK_FLOAT},          {"f64", VTK_DOUBLE}};
-  if (argc != 11 || types.count(argv[2]) == 0) {
-    std::fputs("vtk_mesh: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT\n", stderr);
+  if (argc != 12 || types.count(argv[2]) == 0) {
+    std::fputs("vtk_mesh: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT THREADS\n", stderr);
     return 2;
   }
+  const int threads = std::atoi(argv[11]);
+  if (!vtkSMPTools::SetBackend(threads == 1 ? "Sequential" : "STDThread")) {
+    std::fputs("vtk_mesh: VTK has no such backend\n", stderr);
+    return 1;
+  }
+  vtkSMPTools::Initialize(threads);
   vtkNew<vtkImageReader2> reader;
   reader->SetFileName(argv[1]);
   reader->SetFileDimensionality(3);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ Contender decimated(const Volume& volume);
 
 /// The same triangles simplified by meshoptimizer, with the same tolerance.
 Contender simplified(const Volume& volume);
+
+/// VTK's SurfaceNets3D without smoothing, from VTK 9.3 on; before, none.
+std::optional<Contender> surface_nets(const Volume& volume);
 
 /// OpenVDB's volumeToMesh with adaptivity 0.1, on an existing grid: -1 for on voxels, else 1. It
 /// merges facets whose normals differ by less than 26 degrees. Its border is closed.

@@ -25,6 +25,7 @@ DecimatePro, meshoptimizer: VTK's DiscreteFlyingEdges3D, midpoint triangles, and
   0.1 voxels, which merges what is coplanar.
 OpenVDB: volumeToMesh with adaptivity 0.1 on a grid of -1 (on) and 1; the time of making the grid is
   left out, the border is closed. A quadrilateral counts as two triangles.
+SurfaceNets3D: VTK's, from 9.3 on, without smoothing; triangles between the cells, nothing merged.
 plain pass, vector pass: the maximum of all samples at -O2, and all or-ed together at -O3.
 
 Samples are in memory, borders open, one thread; medians of processor time, in turns; memory that is
@@ -56,6 +57,7 @@ std::vector<Contender> surface_contenders(const Volume& volume, bool is_short) {
   contenders.push_back(decimated(volume));
   contenders.push_back(simplified(volume));
   contenders.push_back(adaptive(volume));
+  if (const auto nets = surface_nets(volume)) contenders.push_back(*nets);
   return contenders;
 }
 

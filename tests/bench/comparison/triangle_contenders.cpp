@@ -7,6 +7,10 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTypeInt64Array.h>
+#if __has_include(<vtkSurfaceNets3D.h>)
+#include <vtkSurfaceNets3D.h>
+#define DISCMC_BENCH_SURFACE_NETS
+#endif
 
 #include <algorithm>
 #include <array>
@@ -111,6 +115,24 @@ Contender decimated(const Volume& volume) {
 Contender simplified(const Volume& volume) {
   const auto triangles = std::make_shared<MidpointTriangles>(volume);
   return {"meshoptimizer", "triangles", [triangles] { return simplify(*triangles->update()); }};
+}
+
+std::optional<Contender> surface_nets([[maybe_unused]] const Volume& volume) {
+#ifdef DISCMC_BENCH_SURFACE_NETS
+  const auto on = std::make_shared<std::vector<uint8_t>>(voxels_on(volume));
+  const auto filter = vtkSmartPointer<vtkSurfaceNets3D>::New();
+  filter->SetInputData(image_of(*on, dims_of(volume)));
+  filter->SetValue(0, 1);
+  filter->SmoothingOff();
+  filter->SetOutputMeshTypeToTriangles();
+  return Contender{"SurfaceNets3D", "triangles", [on, filter] {
+                     filter->Modified();
+                     filter->Update();
+                     return static_cast<uint64_t>(filter->GetOutput()->GetNumberOfPolys());
+                   }};
+#else
+  return std::nullopt;
+#endif
 }
 
 }  // namespace discmc::bench
