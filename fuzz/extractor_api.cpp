@@ -23,9 +23,9 @@ using namespace discmc::reference;
 
 namespace {
 
-constexpr size_t max_voxels = 3000;  // of one scan, so that a run takes no longer than it must
+constexpr size_t max_voxels = 3000;  // of one scan, to limit the time of a run
 
-/// Memory that ends where a heap block ends and begins at any address.
+/// Memory that begins at any address, and ends with its heap block.
 class OffsetMemory {
  public:
   OffsetMemory(size_t bytes, size_t offset)
@@ -199,7 +199,7 @@ class Caller {
     const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
     const uint32_t width = input_.byte();
     const uint32_t height = input_.byte();
-    // Mostly small, now and then longer than a word, now and then of no use.
+    // Mostly small, sometimes longer than a word, sometimes invalid.
     if (width == 255) return {0, 1 + height, border};
     if (width == 254) return {1 + height, Limits::max_extent + 1 + height, border};
     return {width < 200 ? 1 + width % 9 : 28 + width % 40, 1 + height % 7, border};
@@ -241,7 +241,7 @@ class Caller {
   size_t rows() const { return on_.size() / limits_.width; }
   bool is_refused() const { return listener_.refuses_now(); }
 
-  /// What a call that brings samples comes to when the sink takes everything.
+  /// The expected result of a call that pushes samples, if the sink accepts everything.
   Status for_samples() const {
     if (state_ == State::idle) return Status::not_started;
     return state_ == State::scanning ? Status::ok : Status::finished;
@@ -250,7 +250,7 @@ class Caller {
   template <class Sample>
   void push() {
     const uint32_t stride = input_.below(16) == 0 ? 0 : 1 + input_.below(3);
-    // A stride of 0 is the same sample again and again.
+    // A stride of 0 repeats one sample.
     uint32_t count = input_.byte() % (state_ == State::idle ? 4 : 3 * limits_.width + 2);
     if (on_.size() + count > max_voxels) count = 0;
     std::vector<uint8_t> on(count);
@@ -267,7 +267,7 @@ class Caller {
     }
     const uint32_t noise = input_.byte() * 0x101;
     const size_t length = count == 0 ? 0 : size_t{count - 1} * stride + 1;
-    // What lies between is the contrary.
+    // The samples between have the opposite value.
     std::vector<Sample> samples(length);
     for (size_t i = 0; i < length; ++i) {
       const bool is_sample = stride == 0 || i % stride == 0;
@@ -277,7 +277,7 @@ class Caller {
     took(extractor_.push(samples.data(), count, stride), on);
   }
 
-  // Checks what push() came to and notes the samples it took.
+  // Checks the result of push(), and records the accepted samples.
   void took(const PushResult& pushed, const std::vector<uint8_t>& on) {
     if (for_samples() != Status::ok) {
       require(pushed.status == for_samples(), "push() comes to another error");
@@ -403,7 +403,7 @@ class Caller {
     if (state_ != State::idle) look();
   }
 
-  // The scan continues in another object and in other memory, which has only the bytes in use.
+  // Continues the scan in another object and in other memory, which contains only the used bytes.
   void fail_power() {
     Memory parts[2];
     const Status expected = state_ == State::idle ? Status::not_started
