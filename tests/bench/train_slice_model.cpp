@@ -84,7 +84,7 @@ bool read_stream(const char* path, RowCollector& collector, discmc::Limits& limi
   if (!limits.is_valid()) return false;
   std::vector<uint8_t> memory(discmc::SliceDecoder::minimum_bytes(limits));
   collector.row_bytes = (limits.width + 7) / 8;
-  return decoder.give_memory({memory.data(), memory.size()}) == discmc::Status::ok &&
+  return decoder.set_memory({memory.data(), memory.size()}) == discmc::Status::ok &&
          decoder.push(bytes.data() + taken, bytes.size() - taken).status == discmc::Status::ok &&
          decoder.report().is_complete();
 }

@@ -204,7 +204,7 @@ TEST_CASE("a stream truncated within its first packet has no start, whatever fol
   CHECK(log.events == swept(volume, Border::closed, false));
 }
 
-TEST_CASE("give_memory() replaces the memory that was too small") {
+TEST_CASE("set_memory() replaces the memory that was too small") {
   const BitVolume volume = volumes()[0];
   const Bytes stream = encoded(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
@@ -218,8 +218,8 @@ TEST_CASE("give_memory() replaces the memory that was too small") {
     reference::require_ok(decoder.start({little.data(), little.size()}, make_sink(log)));
     CHECK(decoder.push(stream.data(), head).status == Status::too_little_memory);
     const size_t least = Receiver::minimum_bytes(limits);
-    CHECK(decoder.give_memory({enough.data(), least - 1}) == Status::too_little_memory);
-    reference::require_ok(decoder.give_memory({enough.data(), enough.size()}));
+    CHECK(decoder.set_memory({enough.data(), least - 1}) == Status::too_little_memory);
+    reference::require_ok(decoder.set_memory({enough.data(), enough.size()}));
     const Bytes unlike(bytes, 0xA5);
     unpoison(little.data(), little.size());  // red zones
     little = unlike;                         // the caller's memory again

@@ -47,7 +47,7 @@ Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
   }
 }
 
-Status SliceDecoder::give_memory(Memory memory) {
+Status SliceDecoder::set_memory(Memory memory) {
   if (!is_started_) return Status::not_started;
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;

@@ -84,10 +84,10 @@ Status SurfaceDecoder::begin_sweep() {
                                             : static_cast<SurfaceDecoder*>(context)->pass(event);
   };
   const Status status = extractor_.start(limits, any, rest, {this, pass_all_else});
-  return status == Status::ok ? slices_.give_memory(memory_) : status;
+  return status == Status::ok ? slices_.set_memory(memory_) : status;
 }
 
-Status SurfaceDecoder::give_memory(Memory memory) {
+Status SurfaceDecoder::set_memory(Memory memory) {
   if (sink_.accept == nullptr) return Status::not_started;
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;

@@ -71,14 +71,14 @@ struct Stage {
   void edges(std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
       now += 2 * ms;
-      triggered.take(edge_at(now));
+      triggered.process(edge_at(now));
     }
   }
   void press(std::uint64_t length_ns = 200 * ms) {
     now += 50 * ms;
-    triggered.take({LineRole::button, true, now});
+    triggered.process({LineRole::button, true, now});
     now += length_ns;
-    triggered.take({LineRole::button, false, now});
+    triggered.process({LineRole::button, false, now});
   }
   const Bytes& stream() {
     recording.scan.finish();
@@ -161,22 +161,22 @@ TEST_CASE("edges dropped by a full queue are counted for any pace, jitter and pa
 
 TEST_CASE("a press is reported on release, as brief or lengthy") {
   Button button;
-  CHECK(button.take(true, 100 * ms) == Button::Press::none);
-  CHECK(button.take(false, 300 * ms) == Button::Press::brief);
-  CHECK(button.take(true, 2000 * ms) == Button::Press::none);
-  CHECK(button.take(false, 3000 * ms) == Button::Press::lengthy);
-  CHECK(button.take(true, 4000 * ms) == Button::Press::none);
-  CHECK(button.take(false, 4999 * ms) == Button::Press::brief);
+  CHECK(button.update(true, 100 * ms) == Button::Press::none);
+  CHECK(button.update(false, 300 * ms) == Button::Press::brief);
+  CHECK(button.update(true, 2000 * ms) == Button::Press::none);
+  CHECK(button.update(false, 3000 * ms) == Button::Press::lengthy);
+  CHECK(button.update(true, 4000 * ms) == Button::Press::none);
+  CHECK(button.update(false, 4999 * ms) == Button::Press::brief);
 }
 
 TEST_CASE("a bouncing button counts as pressed once") {
   Button button;
-  CHECK(button.take(true, 100 * ms) == Button::Press::none);
-  CHECK(button.take(false, 101 * ms) == Button::Press::none);
-  CHECK(button.take(true, 103 * ms) == Button::Press::none);
-  CHECK(button.take(false, 300 * ms) == Button::Press::brief);
-  CHECK(button.take(true, 302 * ms) == Button::Press::none);
-  CHECK(button.take(false, 303 * ms) == Button::Press::none);
+  CHECK(button.update(true, 100 * ms) == Button::Press::none);
+  CHECK(button.update(false, 101 * ms) == Button::Press::none);
+  CHECK(button.update(true, 103 * ms) == Button::Press::none);
+  CHECK(button.update(false, 300 * ms) == Button::Press::brief);
+  CHECK(button.update(true, 302 * ms) == Button::Press::none);
+  CHECK(button.update(false, 303 * ms) == Button::Press::none);
 }
 
 TEST_CASE("1,000 edges are 1,000 rows, and the scan ends") {
@@ -198,13 +198,13 @@ TEST_CASE("the row of a missed edge is skipped, and other rows keep their place"
     if (i % 100 > 96 || i == 0)
       missed.insert(i);
     else
-      stage.triggered.take(numbered_edge(i + 1));
+      stage.triggered.process(numbered_edge(i + 1));
   }
   // The edges after the last received one are missed silently, so only the rows show the loss.
   CHECK(stage.recording.scan.rows() == 997);
   CHECK(stage.triggered.missed() == missed.size() - 3);
   CHECK(stage.triggered.first_missed_row() == 0);
-  stage.triggered.take({LineRole::end_stop, true, 2000 * ms});
+  stage.triggered.process({LineRole::end_stop, true, 2000 * ms});
   CHECK(!stage.recording.scan.is_whole());
   const Bytes& stream = stage.stream();
   CHECK(stream == expected_stream(plan, 997, missed));
@@ -215,7 +215,7 @@ TEST_CASE("more missed edges than remaining rows end the scan") {
   const ScanPlan plan = plan_of(10, 5, 4);
   Stage stage(plan);
   stage.edges(10);
-  stage.triggered.take(edge_at(10'000 * ms, true));
+  stage.triggered.process(edge_at(10'000 * ms, true));
   CHECK(stage.triggered.state() == State::ended);
   CHECK(stage.recording.scan.rows() == 20);
 }
@@ -246,7 +246,7 @@ TEST_CASE("an end-stop between slices completes the stream, and one within a sli
     CAPTURE(rows);
     Stage stage(plan);
     stage.edges(rows);
-    stage.triggered.take({LineRole::end_stop, true, stage.now + 1});
+    stage.triggered.process({LineRole::end_stop, true, stage.now + 1});
     CHECK(stage.triggered.state() == State::ended);
     const Bytes& stream = stage.stream();
     CHECK(stream == expected_stream(plan, rows));

@@ -67,8 +67,8 @@ class Device {
   }
 
   /// Reads what arrives within a time. Units: milliseconds, -1 for no limit.
-  template <class Take>
-  void receive(int timeout, Take take) {
+  template <class Receive>
+  void receive(int timeout, Receive receive_report) {
     pollfd waiting{file_, POLLIN, 0};
     if (poll(&waiting, 1, timeout) != 1) return;
     uhid_event event{};
@@ -77,7 +77,7 @@ class Device {
     // hidapi's report id is included, which a USB device would not receive.
     const std::size_t id = event.u.output.size == Report::bytes + 1 ? 1 : 0;
     if (const auto report = Report::read(event.u.output.data + id, event.u.output.size - id))
-      take(*report);
+      receive_report(*report);
   }
 
  private:
@@ -139,19 +139,19 @@ int main(int count, char** arguments) {
   Device device;
   bool is_started = false;
   bool is_stopped = false;
-  const auto take = [&](const Report& report) {
+  const auto receive_report = [&](const Report& report) {
     if (report.kind == Kind::start) is_started = true;
     if (report.kind == Kind::stop) is_stopped = true;
     if (report.kind == Kind::stream)
       stream.write(reinterpret_cast<const char*>(report.payload), report.length);
   };
-  while (!is_started) device.receive(-1, take);
+  while (!is_started) device.receive(-1, receive_report);
   for (std::size_t i = 0; i < reports.size(); ++i) {
     if (behaviour.unplugged.count(i) > 0) return 0;
     if (behaviour.lost.count(i) == 0) device.send_report(reports[i]);
     if (behaviour.repeated.count(i) > 0) device.send_report(reports[i]);
     usleep(1000);
-    device.receive(0, take);
+    device.receive(0, receive_report);
   }
-  while (!is_stopped) device.receive(-1, take);
+  while (!is_stopped) device.receive(-1, receive_report);
 }

@@ -130,9 +130,9 @@ TEST_CASE("a receiver in C accepts memory for slices late and needs none for pol
   const discmc_limits found = {info.header.width, info.header.height, info.header.border};
   Block memory(discmc_receiver_bytes(&found, info.header.surface_count, info.header.levels));
   const discmc_memory given = {memory.memory().data, memory.memory().bytes};
-  CHECK(discmc_receiver_give_memory(receiver.receiver, {given.data, 100}) ==
+  CHECK(discmc_receiver_set_memory(receiver.receiver, {given.data, 100}) ==
         DISCMC_TOO_LITTLE_MEMORY);
-  CHECK(discmc_receiver_give_memory(receiver.receiver, given) == DISCMC_OK);
+  CHECK(discmc_receiver_set_memory(receiver.receiver, given) == DISCMC_OK);
   result = discmc_receiver_push(receiver.receiver, stream.data() + result.accepted,
                                 stream.size() - result.accepted);
   CHECK(result.status == DISCMC_FINISHED);

@@ -507,20 +507,20 @@ TEST_CASE("slice_decoder_bytes() is exactly enough for any width") {
   }
 }
 
-TEST_CASE("give_memory() succeeds only for a started slice decoder short of memory") {
+TEST_CASE("set_memory() succeeds only for a started slice decoder short of memory") {
   const Bytes stream = encode_slices(reference::random(size, 60, 3));
   Bytes memory(SliceDecoder::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
   SliceDecoder decoder;
   RowLog log(false);
-  CHECK(decoder.give_memory(all) == Status::not_started);
+  CHECK(decoder.set_memory(all) == Status::not_started);
   reference::require_ok(decoder.start({}, make_row_sink(log)));
-  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(decoder.set_memory(all) == Status::ok);
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::too_little_memory);
   CHECK(decoder.finish() == Status::too_little_memory);
-  CHECK(decoder.give_memory({memory.data(), memory.size() - 1}) == Status::too_little_memory);
+  CHECK(decoder.set_memory({memory.data(), memory.size() - 1}) == Status::too_little_memory);
   CHECK(log.starts.empty());
-  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(decoder.set_memory(all) == Status::ok);
   const size_t taken = frames_of(stream).front().size();
   CHECK(decoder.push(stream.data() + taken, stream.size() - taken).status == Status::ok);
   CHECK(decoder.report().is_complete());

@@ -78,20 +78,20 @@ TEST_CASE("a surface decoder that was refused memory can be restarted without me
   CHECK(decoded(decoder, {}, regions()) == decode(regions()).events);
 }
 
-TEST_CASE("give_memory() succeeds only for a started surface decoder short of memory") {
+TEST_CASE("set_memory() succeeds only for a started surface decoder short of memory") {
   const Bytes stream = encode_slices(volume());
   Bytes memory(Receiver::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
   SurfaceDecoder decoder;
   EventLog log;
-  CHECK(decoder.give_memory(all) == Status::not_started);
+  CHECK(decoder.set_memory(all) == Status::not_started);
   reference::require_ok(decoder.start({}, make_sink(log)));
-  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(decoder.set_memory(all) == Status::ok);
   const Decoded refused = decoder.push(stream.data(), stream.size());
   CHECK(refused.status == Status::too_little_memory);
   CHECK(refused.bytes == frames_of(stream).front().size());
-  CHECK(decoder.give_memory({nullptr, memory.size()}) == Status::too_little_memory);
-  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(decoder.set_memory({nullptr, memory.size()}) == Status::too_little_memory);
+  CHECK(decoder.set_memory(all) == Status::ok);
   CHECK(log.starts.empty());
   const Decoded rest = decoder.push(stream.data() + refused.bytes, stream.size() - refused.bytes);
   CHECK(rest.status == Status::ok);
