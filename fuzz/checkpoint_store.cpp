@@ -1,6 +1,6 @@
-// Fuzz target. A store obeys the rules of flash for any contents of it, and for any failure of the
-// power or a call. It reads back the newest whole checkpoint as saved, unless another program wrote
-// to the flash.
+// Fuzz target. A store obeys the rules of flash for any contents of the flash, and for any failure
+// of the power or a call. It reads back the newest complete checkpoint as saved, unless another
+// program wrote to the flash.
 //
 //   fuzz_checkpoint_store -max_len=400 corpus/checkpoint_store      with libFuzzer
 //   fuzz_checkpoint_store corpus/checkpoint_store                   with replay_main.cpp
@@ -71,7 +71,7 @@ class Caller {
     }
   }
 
-  // The power comes back, and all that was not in flash is lost.
+  // The power returns; everything outside the flash is lost.
   void start() {
     flash_.power_on();
     flash_.fail_call(UINT64_MAX - flash_.calls);
@@ -100,7 +100,7 @@ class Caller {
   }
 
   void save() {
-    is_discarded_ = false;  // a save that fails may be complete in flash
+    is_discarded_ = false;  // a failed save may be complete in flash
     std::vector<uint8_t> bytes = contents_of(++last_, 4 + input_.word() % (max_bytes - 3));
     const Memory part{bytes.data(), bytes.size()};
     Status status = store_.save(&part, 1);
@@ -130,11 +130,11 @@ class Caller {
     for (uint32_t steps = input_.below(8); steps > 0 && status == Status::suspended; --steps)
       status = store_.resume();
     if (status == Status::ok) note_saved();
-    // Its part is about to vanish, so the save must end.
+    // Its part is about to be destroyed, so the save must end.
     if (status == Status::suspended) (void)store_.restore(&part, 0);
   }
 
-  // ---- what somebody else does ----
+  // ---- other programs ----
 
   void flip() {
     is_disturbed_ = true;
@@ -142,7 +142,7 @@ class Caller {
     byte = static_cast<uint8_t>(byte ^ 1 << input_.below(8));
   }
 
-  // A head of any number that claims any number of bytes.
+  // A head with any number and any size.
   void put_head() {
     is_disturbed_ = true;
     StoredHead head{StoredHead::current_format, input_.number(UINT32_MAX), input_.word(), 0};

@@ -23,12 +23,12 @@ using namespace discmc::reference;
 
 namespace {
 
-constexpr size_t max_voxels = 3000;  // of one scan, so that a run takes no longer than it must
+constexpr size_t max_voxels = 3000;  // of one scan, to limit the time of a run
 
-/// Memory that ends where a heap block ends and begins at any address.
-class Place {
+/// Memory that begins at any address, and ends with its heap block.
+class OffsetMemory {
  public:
-  Place(size_t bytes, size_t offset)
+  OffsetMemory(size_t bytes, size_t offset)
       : offset_(offset), bytes_(bytes), all_(new uint8_t[offset + bytes]) {
     std::fill_n(all_.get(), offset_ + bytes_, filling);
   }
@@ -154,8 +154,8 @@ class Caller {
                                 : Extractor<Index>::bytes_for(limits, capacities);
     if (needed > 1 << 20) return;
     const uint64_t bytes = read_bytes(needed, is_split);
-    auto place = std::make_unique<Place>(bytes, input_.below(4));
-    const Memory memory = (flags & 4) != 0 && bytes == 0 ? Memory{} : place->memory();
+    auto block = std::make_unique<OffsetMemory>(bytes, input_.below(4));
+    const Memory memory = (flags & 4) != 0 && bytes == 0 ? Memory{} : block->memory();
     Sink sink = make_sink(listener_);
     if ((flags & 0xF0) == 0xF0) sink.accept = nullptr;
     const int32_t threshold = read_threshold();
@@ -170,11 +170,11 @@ class Caller {
     require(status == expected, "start() comes to another status");
     if (status == Status::too_little_memory) state_ = State::idle;
     if (status != Status::ok) {
-      require(place->is_untouched(), "a start in vain has written");
+      require(block->is_untouched(), "a start in vain has written");
       return;
     }
     check_own_memory();
-    place_ = std::move(place);
+    block_ = std::move(block);
     limits_ = limits;
     threshold_ = threshold;
     require(extractor_.bytes_used() <= bytes, "more bytes in use than were given");
@@ -199,7 +199,7 @@ class Caller {
     const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
     const uint32_t width = input_.byte();
     const uint32_t height = input_.byte();
-    // Mostly small, now and then longer than a word, now and then of no use.
+    // Mostly small, sometimes longer than a word, sometimes invalid.
     if (width == 255) return {0, 1 + height, border};
     if (width == 254) return {1 + height, Limits::max_extent + 1 + height, border};
     return {width < 200 ? 1 + width % 9 : 28 + width % 40, 1 + height % 7, border};
@@ -241,7 +241,7 @@ class Caller {
   size_t rows() const { return on_.size() / limits_.width; }
   bool is_refused() const { return listener_.refuses_now(); }
 
-  /// What a call that brings samples comes to when the sink takes everything.
+  /// The expected result of a call that pushes samples, if the sink accepts everything.
   Status for_samples() const {
     if (state_ == State::idle) return Status::not_started;
     return state_ == State::scanning ? Status::ok : Status::finished;
@@ -250,7 +250,7 @@ class Caller {
   template <class Sample>
   void push() {
     const uint32_t stride = input_.below(16) == 0 ? 0 : 1 + input_.below(3);
-    // A stride of 0 is the same sample again and again.
+    // A stride of 0 repeats one sample.
     uint32_t count = input_.byte() % (state_ == State::idle ? 4 : 3 * limits_.width + 2);
     if (on_.size() + count > max_voxels) count = 0;
     std::vector<uint8_t> on(count);
@@ -267,7 +267,7 @@ class Caller {
     }
     const uint32_t noise = input_.byte() * 0x101;
     const size_t length = count == 0 ? 0 : size_t{count - 1} * stride + 1;
-    // What lies between is the contrary.
+    // The samples between have the opposite value.
     std::vector<Sample> samples(length);
     for (size_t i = 0; i < length; ++i) {
       const bool is_sample = stride == 0 || i % stride == 0;
@@ -277,7 +277,7 @@ class Caller {
     took(extractor_.push(samples.data(), count, stride), on);
   }
 
-  // Checks what push() came to and notes the samples it took.
+  // Checks the result of push(), and records the accepted samples.
   void took(const PushResult& pushed, const std::vector<uint8_t>& on) {
     if (for_samples() != Status::ok) {
       require(pushed.status == for_samples(), "push() comes to another error");
@@ -403,7 +403,7 @@ class Caller {
     if (state_ != State::idle) look();
   }
 
-  // The scan continues in another object and in other memory, which has only the bytes in use.
+  // Continues the scan in another object and in other memory, which contains only the used bytes.
   void fail_power() {
     Memory parts[2];
     const Status expected = state_ == State::idle ? Status::not_started
@@ -414,10 +414,10 @@ class Caller {
     const size_t used = parts[1].bytes;
     require(used == extractor_.bytes_used(), "the part of the memory is not bytes_used()");
     const auto image = test::image_of({parts, parts + 2});
-    auto place = std::make_unique<Place>(place_->memory().bytes, place_->offset());
-    const Memory memory = place->memory();
+    auto block = std::make_unique<OffsetMemory>(block_->memory().bytes, block_->offset());
+    const Memory memory = block->memory();
     check_own_memory();
-    place_ = std::move(place);
+    block_ = std::move(block);
     const std::vector<Memory> to = {memory_of(extractor_), memory};
     const Sink sink = make_sink(listener_);
     test::read_back(image, to);
@@ -449,7 +449,7 @@ class Caller {
   }
 
   void check_own_memory() const {
-    require(place_ == nullptr || place_->is_intact(), "a write before the memory");
+    require(block_ == nullptr || block_->is_intact(), "a write before the memory");
   }
 
   // The queries of an extractor.
@@ -460,7 +460,7 @@ class Caller {
     require(most.slots <= room.slots, "more in use than there is room for");
     require(extractor_.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
     require(extractor_.limits().width == limits_.width, "other limits");
-    require(extractor_.bytes_used() <= place_->memory().bytes, "more bytes in use than given");
+    require(extractor_.bytes_used() <= block_->memory().bytes, "more bytes in use than given");
     if (state_ == State::scanning)
       require(size_t{extractor_.slices()} * limits_.height + extractor_.rows() == rows(),
               "other rows counted than given");
@@ -468,7 +468,7 @@ class Caller {
 
   Input& input_;
   Listener listener_;
-  std::unique_ptr<Place> place_;
+  std::unique_ptr<OffsetMemory> block_;
   Extractor<Index> extractor_;
   Limits limits_{1, 1};
   int32_t threshold_ = 0;

@@ -26,7 +26,7 @@ struct Setting {
 
 enum class Row : uint8_t { given, off, repeated };
 
-// What is done with the rows of a volume, one after another.
+// The actions for the rows of a volume, one after another.
 struct Script {
   std::vector<Row> rows;
   uint32_t portion;  // of samples
@@ -38,7 +38,7 @@ struct Script {
   }
 };
 
-// Throws where an error comes, which none of the scripts should cause.
+// Throws on errors, which none of the scripts should cause.
 template <class Scan>
 void resume(Scan& scan, Status status) {
   while (status == Status::suspended) status = scan.resume();

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-/// Numbers out of the input; zeros once it is used up.
+/// Numbers from the input; zeros after its end.
 class Input {
  public:
   Input(const uint8_t* data, size_t size) : data_(data), size_(size) {}
@@ -17,7 +17,7 @@ class Input {
     return low | byte() << 8;
   }
   uint32_t below(uint32_t limit) { return byte() % limit; }
-  /// Any number up to `most`, small ones as often as large ones.
+  /// Returns a number up to `most`; small ones are as frequent as large ones.
   uint32_t number(uint32_t most) {
     const uint32_t bits = byte() % 32;
     const uint32_t low = word();
@@ -25,7 +25,7 @@ class Input {
     const uint32_t cut = value & ((uint32_t{1} << bits) - 1);
     return cut <= most ? cut : most;
   }
-  /// Up to `most` of the bytes that are left, in a heap block of exactly their size.
+  /// Returns up to `most` of the remaining bytes, in a heap block of exactly their size.
   std::vector<uint8_t> bytes(size_t most) {
     const size_t left = size_ - at_;
     const uint8_t* const begin = data_ + at_;

@@ -1,7 +1,7 @@
-// Fuzz target. The rings of any small surface, cut anywhere, are joined to its regions. They come
+// Fuzz target. The rings of any small surface, cut anywhere, are joined to its regions. They arrive
 // in the order of a sweep, of several slabs, or in any order. A second joiner joins the fragments
-// that a first with little memory passed on. If fragments are lost, all other regions are right.
-// Neither refusals nor invalid events do harm.
+// that a first one with little memory passed on. If fragments are lost, all other regions are
+// correct. Neither refusals nor invalid events do harm.
 //
 //   fuzz_joiner -max_len=300 corpus/joiner      with libFuzzer
 //   fuzz_joiner corpus/joiner                   with replay_main.cpp
@@ -25,7 +25,7 @@ struct Scenario {
   bool is_open, has_losses, has_little_memory;
   JoinPlan plan;
   Cuts cuts;
-  uint32_t refusals;  ///< of 256 offers
+  uint32_t refusals;  ///< refused offers per 256
   test::Chance chance;
 };
 
@@ -62,7 +62,7 @@ Pieces dealt(const Pieces& pieces, const Scenario& scenario) {
   return shuffled;
 }
 
-// Loses some fragments, and counts these by region.
+// Loses some fragments, and counts them by region.
 Pieces without_losses(const Pieces& pieces, Scenario& scenario, std::vector<size_t>& lost) {
   Pieces left;
   for (const Piece& piece : pieces) {
@@ -74,7 +74,7 @@ Pieces without_losses(const Pieces& pieces, Scenario& scenario, std::vector<size
   return left;
 }
 
-// All events arrived: the regions are those of the surface.
+// If all events arrived, the regions are those of the surface.
 void check_regions(const Joined& joined, const Scenario& scenario,
                    const std::vector<Region>& regions) {
   require(joined.report.unmatched == 0, "a fragment without a partner");
@@ -96,7 +96,7 @@ void check_regions(const Joined& joined, const Scenario& scenario,
   require(difference.empty(), difference.c_str());
 }
 
-// What lost no fragment is right.
+// A region without lost fragments is correct.
 void check_rest(const Joined& joined, const Scenario& scenario, const std::vector<Region>& regions,
                 const std::vector<size_t>& lost) {
   if (scenario.has_little_memory) return;
@@ -138,7 +138,7 @@ void check_any_events(Input& input, Scenario& scenario) {
     if (event.kind == Event::Kind::run) {
       event.run = Run::from_code(input.number(UINT32_MAX));
     } else {
-      // Now and then others, so that some fragments meet.
+      // Sometimes other events, so that some fragments meet.
       const uint32_t changes = input.byte();
       if ((changes & 3) == 0) event.incidence = static_cast<Incidence>(input.below(28));
       if ((changes & 12) == 0) event.incoming_direction = static_cast<Direction>(input.below(9));

@@ -1,4 +1,4 @@
-// Capacities from the least to some more, which small volumes sometimes exceed.
+// Capacities from the minimum to slightly more, which small volumes sometimes exceed.
 #pragma once
 
 #include <discmc/capacities.hpp>

@@ -15,7 +15,7 @@
 #include "input.hpp"
 #include "little_memory.hpp"
 #include "oracle/event_log.hpp"
-#include "oracle/least_host.hpp"
+#include "oracle/minimum_host.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "require.hpp"
@@ -26,7 +26,7 @@ using namespace discmc::reference;
 
 namespace {
 
-/// What the caller does for one row of the volume.
+/// The caller's action for one row of the volume.
 enum class Feed : uint8_t { samples, strided, bits, skip_off, skip_repeated };
 
 struct Scenario {
@@ -35,12 +35,12 @@ struct Scenario {
   bool has_all_memory;
   bool is_abandoned;
   bool is_wide;
-  uint32_t chunk;          ///< samples a push, when rows are pushed
-  uint32_t refusals;       ///< of 256 offers
-  uint32_t refusal_seed;   ///< for which of them
+  uint32_t chunk;          ///< samples per push
+  uint32_t refusals;       ///< refused offers per 256
+  uint32_t refusal_seed;   ///< which of them
   std::vector<Feed> feed;  ///< by row of the whole volume
-  uint32_t last_samples;   ///< of a row begun after those, when the scan is abandoned
-  BitVolume volume;        ///< what the extractor is to see, substitutes included
+  uint32_t last_samples;   ///< of one more row, if the scan is abandoned
+  BitVolume volume;        ///< as the extractor receives them, including substitutes
   shapes::On shape;        ///< of the voxels, if they are generated
   Size wide_size;          ///< of the volume that is scanned in slabs
 };
@@ -49,7 +49,7 @@ constexpr uint32_t max_slices = 7;
 
 Capacities read_capacities(Input& input, const Limits& limits, bool is_wide) {
   switch (input.below(4)) {
-    case 0:  // enough for anything
+    case 0:  // enough for any volume
       return is_wide ? worst_case_capacities(limits, max_slices) : ample;
     case 1: {
       const uint64_t room = input.word();
@@ -90,14 +90,14 @@ void read_row(Input& input, Scenario& scenario, size_t row, Feed feed) {
   }
 }
 
-// The way to push a row uses no byte of its own: most rows are pushed as samples.
+// The way to push a row needs no byte of its own; most rows are pushed as samples.
 Feed feed_of(uint32_t pattern, size_t row) {
   const uint32_t roll = (pattern + static_cast<uint32_t>(row) * 0x9E3779B1U) >> 24;
   if (pattern % 3 == 0 || roll < 128) return Feed::samples;
   return static_cast<Feed>(1 + roll % 4);
 }
 
-// A generated shape, and the size in which it is scanned in slabs.
+// A generated shape, and its size for slabs.
 void read_shape(Input& input, Scenario& scenario) {
   const shapes::Below below = [&input](uint32_t limit) { return input.below(limit); };
   scenario.wide_size = shapes::draw_wide_size(below, 1000U << below(5));
@@ -109,10 +109,10 @@ Scenario read_scenario(Input& input) {
   const uint32_t flags = input.byte();
   const bool is_shape = (flags & 0xB2) == 0x80;
   const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
-  // Now and then a row longer than a word.
+  // Sometimes a row longer than a word.
   const uint32_t width = (flags & 64) != 0 ? 29 + input.below(8) : 1 + input.below(9);
   Size size{width, 1 + input.below(8), input.below(max_slices)};
-  // The reference takes longer than all else: few voxels, so that there are many volumes.
+  // Few voxels, so that many volumes are tried: the reference is slow.
   size.depth = std::min(size.depth, 300 / (size.width * size.height));
   Scenario scenario{{size.width, size.height, border},
                     {},
@@ -139,7 +139,7 @@ Scenario read_scenario(Input& input) {
   const uint32_t pattern = input.word() * 2654435761U;
   size_t rows = size_t{size.height} * size.depth;
   if (scenario.is_abandoned && rows > 0) {
-    // What never came is off, up to the end of the slice that was begun.
+    // Rows that did not arrive are off, to the end of the current slice.
     rows = input.byte() % rows;
     scenario.last_samples = input.below(size.width);
   }
@@ -174,7 +174,7 @@ class Feeder {
 
   void end() {
     for (bool is_first = true;; is_first = false) {
-      // Once an ending has begun, any call continues it.
+      // After an ending has begun, any call continues it.
       const Status status = !is_first && scenario_.chunk % 2 == 0 ? extractor_.resume()
                             : scenario_.is_abandoned              ? extractor_.abandon()
                                                                   : extractor_.finish();
@@ -212,7 +212,7 @@ class Feeder {
     }
   }
 
-  // Every third sample of another type, with values that would be on in between.
+  // Every third sample has another type; values between the samples would be on.
   void push_strided(const uint8_t* samples) {
     std::vector<int16_t> spread(size_t{3} * scenario_.limits.width - 2, INT16_MAX);
     for (size_t x = 0; x < scenario_.limits.width; ++x)
@@ -221,7 +221,7 @@ class Feeder {
   }
 
   void push_bits(const uint8_t* samples) {
-    // Bits beyond the row are to be ignored.
+    // Bits beyond the row are ignored.
     std::vector<uint8_t> bits((scenario_.limits.width + 7) / 8, 0xFF);
     for (size_t x = 0; x < scenario_.limits.width; ++x)
       if (samples[x] == 0) bits[x / 8] &= static_cast<uint8_t>(~(1U << x % 8));
@@ -326,15 +326,15 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
   require(!scenario.has_all_memory || collector.loose().empty(), "loose, with memory left");
 }
 
-// With so much memory that a host keeps nodes, and more or less beyond it.
+// With slightly more or less memory than a host needs to keep nodes.
 void check_nodes(const Scenario& scenario, const EventLog::Refuses& refuses) {
   Scenario large = scenario;
   large.capacities = {host::Chains::min_slots + scenario.refusal_seed % 64 * 16, 1 << 12};
   const EventLog nodes = run<uint32_t, HostExtractor>(large, refuses);
   const EventLog slots = run<uint32_t>(large, {});
   require(nodes.events == slots.events, "a host that keeps nodes gives other events");
-  large.capacities.slots -= host::Chains::min_slots - LeastHost::min_slots;
-  const EventLog least = run<uint32_t, LeastHost>(large, refuses);
+  large.capacities.slots -= host::Chains::min_slots - MinimumHost::min_slots;
+  const EventLog least = run<uint32_t, MinimumHost>(large, refuses);
   require(least.events == slots.events, "a host with the least room gives other events");
 }
 
@@ -353,7 +353,7 @@ std::vector<std::vector<uint64_t>> parts_of_slab(const BitVolume& volume, Border
   return sorted_parts(log.events);
 }
 
-// The shape; otherwise the volume side by side so often that many chains cross the seams of a slab.
+// The shape; otherwise copies of the volume side by side, so that many chains cross the seams.
 BitVolume wide_volume(const Scenario& scenario) {
   const BitVolume& tile = scenario.volume;
   if (scenario.shape) return volume_of(scenario.wide_size, scenario.shape);
@@ -362,7 +362,7 @@ BitVolume wide_volume(const Scenario& scenario) {
   });
 }
 
-// Takes long: of few inputs.
+// Slow, so only for few inputs.
 void check_slab(const Scenario& scenario) {
   if (scenario.refusal_seed % 16 != 0) return;
   const BitVolume volume = wide_volume(scenario);
@@ -373,7 +373,7 @@ void check_slab(const Scenario& scenario) {
   const auto parts = parts_of_slab<Extractor32>(volume, border, first, end);
   require(parts_of_slab<HostExtractor>(volume, border, first, end) == parts,
           "a host gives other parts of a slab");
-  require(parts_of_slab<LeastHost>(volume, border, first, end) == parts,
+  require(parts_of_slab<MinimumHost>(volume, border, first, end) == parts,
           "a host with the least room gives other parts of a slab");
 }
 

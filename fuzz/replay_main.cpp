@@ -2,7 +2,7 @@
 //
 //   fuzz_table corpus/table crash-1234
 //
-// Folders are taken with everything in them, in the order of the names.
+// Folders are processed with all their contents, in the order of names.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +34,7 @@ std::vector<std::uint8_t> content(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw std::runtime_error("cannot read " + file.string());
   const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
-  // Memory of exactly this size, so that a sanitizer sees a read past the end.
+  // Memory of exactly this size, so that a sanitizer detects a read beyond the end.
   return {bytes.begin(), bytes.end()};
 }
 

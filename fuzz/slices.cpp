@@ -31,7 +31,7 @@ SlicePlan read_plan(Input& input) {
   return plan;
 }
 
-// Keeps packets, drops them, or puts others in their place.
+// Keeps, drops or replaces packets.
 Bytes mangled(const Bytes& stream, Input& input, bool& is_made_up) {
   Bytes result;
   for (const Bytes& frame : frames_of(stream)) {

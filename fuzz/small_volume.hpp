@@ -6,7 +6,7 @@
 #include "input.hpp"
 #include "oracle/volume.hpp"
 
-/// A volume of at most the size, and of no more slices than 150 voxels take. A byte of input is
+/// A volume of at most this size, with no more slices than 150 voxels need. A byte of input is
 /// eight voxels.
 inline discmc::reference::BitVolume read_small_volume(Input& input,
                                                       const discmc::reference::Size& most) {

@@ -1,7 +1,6 @@
-// Fuzz target. The promise: in any neighbourhood of cells the lookup tables draw a closed surface,
-// on which neighbours agree about every link between them.
-// Eight bytes of the input are the bits of 4 x 4 x 4 voxels, 27 cells; every further eight bytes
-// are another such block.
+// Fuzz target. In any neighbourhood of cells the lookup tables draw a closed surface, and
+// neighbours agree about every link between them. Eight bytes of the input are the bits of 4 x 4 x
+// 4 voxels, 27 cells; every further eight bytes are another block.
 //
 //   fuzz_table -max_len=64 corpus/table      with libFuzzer
 //   fuzz_table corpus/table                  with replay_main.cpp
@@ -19,7 +18,7 @@ namespace {
 
 constexpr int32_t side = 4;  // voxels
 
-/// A directed link as it lies in space.
+/// A directed link at its position in space.
 struct UnitLink {
   Vertex from, to;
 };
@@ -28,7 +27,7 @@ bool operator<(const UnitLink& a, const UnitLink& b) {
   return a.from == b.from ? before(a.to, b.to) : before(a.from, b.from);
 }
 
-// How often a link is taken less how often its opposite is, without the zeros.
+// Counts how often a link occurs minus its opposite, without zeros.
 class LinkSum {
  public:
   void add(const UnitLink& link) {
@@ -58,7 +57,7 @@ void for_each_facet(Configuration configuration, Visit visit) {
     visit(facet_table.facet[i]);
 }
 
-// Facets of neighbouring cells leave links over only on the outside of the block.
+// Facets of neighbouring cells have unpaired links only on the outside of the block.
 void check_cancelling(const BitVolume& block) {
   LinkSum sum;
   for_each_cell(block, false, [&](const Vertex& cell, Configuration configuration) {
@@ -115,7 +114,7 @@ FacetsByLink facets_by_link(const BitVolume& block) {
   return facets;
 }
 
-// The plane of a facet continues at most in the facet that across_edge() names.
+// The plane of a facet continues at most in the facet that across_edge() returns.
 void check_continuation(const FacetsByLink& facets, const Vertex& cell, Facet facet) {
   const std::vector<UnitLink> own = links_of(cell, facet_rings.ring[facet]);
   for (size_t edge = 0; edge < own.size(); ++edge) {

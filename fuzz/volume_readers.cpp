@@ -8,8 +8,7 @@
 // write_codec_seeds.py wrote the inputs dicom_* and tiff_*, one for each codec, and most of
 // hostile_rle_*.
 //
-// DISCMC_FUZZ_FILES="v.nrrd v.nhdr" leaves out inputs with files of other names: the time is that
-// of one reader.
+// DISCMC_FUZZ_FILES="v.nrrd v.nhdr" skips inputs with files of other names, to test one reader.
 
 #include <zlib.h>
 
@@ -54,7 +53,7 @@ class Folder {
   fs::path path_;
 };
 
-/// A file that is gone again before the next input, which may name it.
+/// A file that is removed before the next input, which may have the same name.
 class File {
  public:
   File(const fs::path& path, const Bytes& bytes) : path_(path) {
@@ -80,7 +79,7 @@ struct Names {
   const char* opened;
   const char* other;
   bool is_raw;
-  bool is_of_one_piece = false;  ///< any byte may be in it, file separators too
+  bool is_of_one_piece = false;  ///< with any bytes, including file separators
 };
 constexpr Names names[] = {
     {"v.nrrd", nullptr, false},
@@ -113,7 +112,7 @@ constexpr Names names[] = {
     {"v.ome.zarr/zarr.json", "v.ome.zarr/0/zarr.json", false},
 };
 
-/// Whether the environment asks for other names alone.
+/// Whether the environment selects only other names.
 bool is_left_out(const Names& name) {
   static const char* const asked = std::getenv("DISCMC_FUZZ_FILES");
   if (asked == nullptr) return false;
@@ -145,11 +144,11 @@ Bytes joined(Bytes head, const Bytes& tail) {
   return head;
 }
 
-/// The result of one opening, to compare with another.
+/// The result of one opening, for comparison with another.
 struct Reading {
   VolumeInfo info;
   Bytes samples;
-  std::string error;  ///< empty when all that was asked for was read
+  std::string error;  ///< empty if everything was read
 
   bool operator==(const Reading& other) const {
     return info.dims == other.info.dims && info.frames == other.info.frames &&
@@ -170,9 +169,9 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");
-  // A sample of eight bytes may be two characters of text. Only gzip has such a bound: other
-  // packings and zips of pictures have none, and a list may name a file once per line. These are
-  // read before their size is believed. Zarr has its own bound.
+  // A sample of eight bytes may be two characters of text. Only gzip has such a bound. Other
+  // packings and zips of pictures have none, and a list may repeat a file in each line. Files of
+  // these are read before their size is known. Zarr has its own bound.
   constexpr size_t max_inflation = 16384;
   const char* const unbounded[] = {"bzip2",    "xz",    "zstd", "lz4",
                                    "detached", ", zip", "npz",  "Zarr"};
@@ -220,7 +219,7 @@ Reading read(const fs::path& file, const VolumeOptions& options, size_t file_byt
   return reading;
 }
 
-/// stored >= threshold exactly where value >= iso, but for the rounding of decimal numbers.
+/// stored >= threshold exactly if value >= iso, except for the rounding of decimal numbers.
 void check_threshold(const VolumeInfo& info, double iso) {
   const int32_t threshold = stored_threshold(info, iso);
   const auto value = [&](double stored) { return info.slope * stored + info.intercept; };
@@ -243,7 +242,7 @@ VolumeOptions read_options(Input& input) {
   return options;
 }
 
-/// Headerless samples are what the file holds, in the machine's byte order.
+/// Headerless samples equal the file's bytes, in the machine's byte order.
 void check_raw(const Reading& reading, const RawLayout& layout, const Bytes& file) {
   const size_t bytes = sample_bytes(layout.type);
   const bool is_turned = layout.is_big_endian != is_native_big_endian();
@@ -283,7 +282,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (separator == all.end() && name.other == nullptr) std::swap(head, tail);
   tail = packed(tail, wrapping);
   if (name.other == nullptr) head = joined(head, tail);
-  // Asked for the data of a pair, what comes first is still its header.
+  // If the data of a pair are opened, their header still comes first.
   const bool asks_for_data = name.other != nullptr && std::strcmp(name.other, "v.hdr") == 0;
   if (asks_for_data) std::swap(head, tail);
 

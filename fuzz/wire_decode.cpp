@@ -14,14 +14,14 @@ using namespace discmc::test;
 
 namespace {
 
-// Cuts the bytes into packets, each led by its length, kind, number and count of pieces.
+// Cuts the bytes into packets. Each begins with its length, kind, number and count of pieces.
 Bytes framed(const uint8_t* data, size_t size) {
   Bytes stream;
   for (size_t at = 0; at + 4 <= size;) {
     Packet packet;
     const size_t left = size - at - 4;
     const size_t count = data[at] < left ? data[at] : left;
-    // Mostly the packet kind of an encoder, so that the records are decoded.
+    // Mostly the packet kind of an encoder, so that records are decoded.
     packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 8;
     packet.number = static_cast<uint8_t>(data[at + 2] + (at + 1) / 64);
     packet.pieces = data[at + 3];
@@ -60,7 +60,7 @@ void check(const Bytes& stream, size_t portion) {
   const Received again = decode(stream, portion, true);
   require(again.events == arrival.events, "portions or refusals show");
   require(again.report.lost_pieces == arrival.report.lost_pieces, "the report depends on them");
-  static_cast<void>(pieces_of(events_beside_packets(stream)));  // keep to the grammar as well
+  static_cast<void>(pieces_of(events_beside_packets(stream)));  // throws on grammar errors
   const Bytes copy = encode<NormalEncoder>(arrival.events);
   for (const Bytes& frame : frames_of(copy))
     require(frame.size() <= detail::wire::max_frame, "a frame too long");

@@ -78,7 +78,7 @@ Events read_script(Input& input) {
   return script.finish().events;
 }
 
-// Gives some runs a normal, near that of the run before or anywhere.
+// Adds normals to some runs, near that of the run before or arbitrary.
 void add_normals(Input& input, Events& events) {
   uint8_t u = 1, v = 0;
   for (RecordedEvent& recorded : events) {
@@ -92,7 +92,7 @@ void add_normals(Input& input, Events& events) {
   }
 }
 
-// What is left of a stream that loses packets is a part of it, and the rest is counted.
+// The remaining events of a stream with lost packets are a part of it, and the rest is counted.
 void check_losses(const Bytes& stream, const std::vector<Events>& sent, uint32_t pattern) {
   Bytes left;
   uint32_t at = 0;

@@ -72,8 +72,8 @@ constexpr Capacities minimum_capacities() {
 constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
   // In 32 bits: no 64-bit division on small machines.
   const uint32_t cells = (limits.width + 1) * (limits.height + 1);
-  const uint32_t most = UINT32_MAX / detail::sizing::slots_per_cell;
-  const uint32_t all = slices < most / cells ? cells * (slices + 1) : most;
+  const uint32_t max_cells = UINT32_MAX / detail::sizing::slots_per_cell;
+  const uint32_t all = slices < max_cells / cells ? cells * (slices + 1) : max_cells;
   const uint32_t slots = all * detail::sizing::slots_per_cell;
   return {slots, slots};
 }
@@ -106,13 +106,13 @@ constexpr uint64_t minimum_bytes(const Limits& limits) {
 
 template <class Index, class Intake = BitIntake>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
-  const Capacities least = minimum_capacities();
-  const uint64_t taken = minimum_bytes<Index, Intake>(limits) + Arena::alignment;
-  const uint64_t spare = bytes > taken ? bytes - taken : 0;
+  const Capacities minimum = minimum_capacities();
+  const uint64_t used = minimum_bytes<Index, Intake>(limits) + Arena::alignment;
+  const uint64_t spare = bytes > used ? bytes - used : 0;
   // In 32 bits: small processors need no 64-bit division, and more than 4 GiB has no use.
   const uint32_t affordable =
       static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) / slot_bytes<Index, Intake>;
-  const uint32_t slots = least.slots + lesser(affordable, max_slots<Index> - least.slots);
+  const uint32_t slots = minimum.slots + lesser(affordable, max_slots<Index> - minimum.slots);
   return {slots, slots / 16};
 }
 

@@ -208,7 +208,7 @@ class CheckpointStore {
   void set_pieces(const Memory* parts, uint32_t count);
   Status begin_save();
   void begin_pieces();
-  void move_pieces(bool to_unit);
+  void move_pieces(bool is_to_unit);
 
   Status step();
   bool program_unit();

@@ -393,12 +393,12 @@ DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
 /* Accepts any bytes, any number at a time. DISCMC_FINISHED: a scan is over; the info describes it
  * until the next push() of the remaining bytes, which begin the next scan. If suspended, call
  * push() again with the remaining bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY
- * (give_memory(), then push the rest), DISCMC_WRONG_VERSION (call start()), DISCMC_BAD_SINK. */
+ * (set_memory(), then push the rest), DISCMC_WRONG_VERSION (call start()), DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 /* After DISCMC_TOO_LITTLE_MEMORY: sets memory, discmc_receiver_bytes() for the header of the info.
  * The memory of the config stays in use. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
-DISCMC_CHECK discmc_status discmc_receiver_give_memory(discmc_receiver* receiver,
+DISCMC_CHECK discmc_status discmc_receiver_set_memory(discmc_receiver* receiver,
                                                        discmc_memory memory);
 /* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_status discmc_receiver_finish(discmc_receiver* receiver);

@@ -155,9 +155,9 @@ constexpr LinkTable link_table() {
     for (int8_t y = -2; y <= 2; ++y)
       for (int8_t x = -2; x <= 2; ++x) {
         const int length_squared = x * x + y * y + z * z;
-        const bool diagonal = length_squared == 2;
-        const bool axis = length_squared == 4;
-        if (!diagonal && !axis) continue;
+        const bool is_diagonal = length_squared == 2;
+        const bool is_along_axis = length_squared == 4;
+        if (!is_diagonal && !is_along_axis) continue;
         table.vector[count][0] = x;
         table.vector[count][1] = y;
         table.vector[count][2] = z;

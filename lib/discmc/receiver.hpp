@@ -38,7 +38,7 @@ class Receiver {
 
   /// Prepares to receive. memory: for streams of slices at least minimum_bytes() for the size in
   /// the header, with all surfaces of the stream. Pass {} for streams of regions, or while the size
-  /// is unknown: see give_memory(). Owner: the caller, while the receiver is in use. channel: 0 to
+  /// is unknown: see set_memory(). Owner: the caller, while the receiver is in use. channel: 0 to
   /// 63; any_channel: the channel of the first packet, for all scans. Errors: bad_sink (no
   /// function).
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
@@ -61,7 +61,7 @@ class Receiver {
   ///
   /// Status::suspended: the sink is busy, or more than max_skipped_rows lost rows are to be
   /// skipped. Errors: not_started; bad_sink (the sink has not started); wrong_version (no byte is
-  /// accepted until start()); too_little_memory (call give_memory(), then push the remaining
+  /// accepted until start()); too_little_memory (call set_memory(), then push the remaining
   /// bytes).
   Decoded push(const uint8_t* bytes, size_t count);
 
@@ -71,7 +71,7 @@ class Receiver {
   /// After too_little_memory: continues with this memory, at least minimum_bytes() for the size in
   /// the header. Does nothing at any other time. Owner: as of start(). Errors: not_started,
   /// too_little_memory, wrong_version.
-  [[nodiscard]] Status give_memory(Memory memory) { return decoder_.give_memory(memory); }
+  [[nodiscard]] Status set_memory(Memory memory) { return decoder_.set_memory(memory); }
 
   /// Ends the input: an unfinished region or fragment is reported as lost. Without a trailer there
   /// is no `finish` event. Status::suspended: call finish() again. Errors: as push().

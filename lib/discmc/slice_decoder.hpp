@@ -9,9 +9,9 @@
 
 #include <discmc/decoder.hpp>
 #include <discmc/slice_encoder.hpp>
+#include <discmc/slices/coded_surfaces.hpp>
 #include <discmc/slices/fraction_code.hpp>
 #include <discmc/slices/row_coders.hpp>
-#include <discmc/slices/surfaces.hpp>
 
 namespace discmc {
 
@@ -82,7 +82,7 @@ class SliceDecoder {
 
   /// Prepares to receive a stream, and to deliver the rows of all its surfaces. memory: at least
   /// minimum_bytes() for the size and the number of surfaces in the header; {} while they are
-  /// unknown, see give_memory(). Owner: the caller, while the decoder is in use. channel: the
+  /// unknown, see set_memory(). Owner: the caller, while the decoder is in use. channel: the
   /// channel of any surface of the stream; any_channel: the first stream that arrives. Errors:
   /// bad_sink (no function).
   [[nodiscard]] Status start(Memory memory, const RowSink& sink, uint8_t channel = any_channel);
@@ -90,7 +90,7 @@ class SliceDecoder {
   /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; call push() again
   /// with the remaining bytes, even if there are none. Errors: not_started; bad_sink (the sink
   /// answered not_started); wrong_version (no byte is accepted until start()); too_little_memory
-  /// (call give_memory(), then push the remaining bytes). Packets before the first header are
+  /// (call set_memory(), then push the remaining bytes). Packets before the first header are
   /// dropped; their rows count as lost. A stream of regions delivers nothing: report().holds_slices
   /// is false. Cost: the coding decisions of SliceEncoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
@@ -98,7 +98,7 @@ class SliceDecoder {
   /// After too_little_memory: continues with this memory, at least minimum_bytes(). Does
   /// nothing at any other time. Owner: as of start(). Errors: not_started, too_little_memory,
   /// wrong_version.
-  [[nodiscard]] Status give_memory(Memory memory);
+  [[nodiscard]] Status set_memory(Memory memory);
 
   /// For a Receiver: as Decoder::start_next().
   bool holds_next_scan() const { return packets_.holds_next_scan(); }
@@ -163,7 +163,7 @@ class SliceDecoder {
   uint64_t passed_rows_ = 0;  // handed out or lost
   detail::slices::RowReader coder_;
   detail::slices::RowCode row_;
-  detail::slices::Surfaces surfaces_;
+  detail::slices::CodedSurfaces surfaces_;
   uint8_t* bits_ = nullptr;
   detail::slices::Fractions fractions_;
   uint16_t* fractions_of_row_ = nullptr;

@@ -17,9 +17,9 @@
 #include <discmc/base/arena.hpp>
 #include <discmc/checkpoint.hpp>
 #include <discmc/row_input.hpp>
+#include <discmc/slices/coded_surfaces.hpp>
 #include <discmc/slices/row_code.hpp>
 #include <discmc/slices/row_coders.hpp>
-#include <discmc/slices/surfaces.hpp>
 #include <discmc/stream/packet_writer.hpp>
 
 namespace discmc {
@@ -207,15 +207,15 @@ class SliceEncoder {
   Status restore_object(uint32_t object_bytes, Memory memory, const ByteOutput& output);
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
-  // Calls take(samples, count) with parts of rows, before their row is complete.
-  template <class Sample, class Take>
-  PushResult push_parts(const Sample* samples, uint32_t count, uint32_t stride, Take take) {
+  // Calls process(samples, count) with parts of rows, before their row is complete.
+  template <class Sample, class Process>
+  PushResult push_parts(const Sample* samples, uint32_t count, uint32_t stride, Process process) {
     PushResult result{ready_for_row(), 0};
     while (result.status == Status::ok && result.samples < count) {
-      const uint32_t taken =
+      const uint32_t part_count =
           samples_of_row(count - result.samples, column(), packets_.header().width);
-      take(samples + size_t{result.samples} * stride, taken);
-      result.samples += taken;
+      process(samples + size_t{result.samples} * stride, part_count);
+      result.samples += part_count;
       if (!surfaces_.rows().is_row_complete()) break;
       note_ = detail::slices::RowNote::none;
       is_row_due_ = true;
@@ -266,7 +266,7 @@ class SliceEncoder {
   size_t bytes_used_ = 0;
   detail::slices::RowWriter coder_;
   detail::slices::RowCode row_;
-  detail::slices::Surfaces surfaces_;
+  detail::slices::CodedSurfaces surfaces_;
   PacketWriter packets_;
   detail::Seal seal_;
   // A FractionSliceEncoder sets these members.

@@ -49,7 +49,7 @@ constexpr const char* to_string(Status status) {
       return "a capacity is below its minimum or beyond the index type: use the default capacities";
     case Status::too_little_memory:
       return "the memory is null or too small: size it with ..._bytes() of the object or sizes.h; "
-             "for a slice decoder call give_memory()";
+             "for a slice decoder call set_memory()";
     case Status::bad_sink:
       return "the sink or output is incomplete: set write(), and unsent() for checkpoints; start "
              "the encoder first; max_frame is 0 or 48 to 256";

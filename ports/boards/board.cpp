@@ -1,6 +1,7 @@
-// The board as the application sees it, made of a port's parts.
+// The board's interface to the application, composed of the parts of a port.
 #include "board.hpp"
 
+#include "memory_image.hpp"
 #include "port.hpp"
 #include "semihosting.hpp"
 
@@ -35,7 +36,7 @@ void board::fault() {
 void board::stop(bool succeeded) {
   while (!uart::is_idle()) {
   }
-  report("stack_used", static_cast<uint32_t>(cpu::stack_used()));
-  report("stack_bytes", static_cast<uint32_t>(cpu::stack_bytes()));
+  report("stack_used", static_cast<uint32_t>(memory_image::stack_used()));
+  report("stack_bytes", static_cast<uint32_t>(memory_image::stack_bytes()));
   semihosting::exit(succeeded ? 0 : 1);
 }

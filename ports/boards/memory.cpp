@@ -5,7 +5,7 @@
 
 namespace {
 
-// In a loop: or compilers see what it does, and make of memset's a call of memset.
+// Keeps a loop: otherwise compilers replace the loop of memset by a call of memset.
 inline void loop_stays() {
   __asm__ volatile("");
 }

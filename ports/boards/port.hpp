@@ -15,10 +15,6 @@ void request_rows();
 /// source::on_interrupt(), which read their own registers for the cause.
 void enable_interrupt(uint32_t number);
 
-/// The greatest depth of the stack so far, and its limit.
-size_t stack_used();
-size_t stack_bytes();
-
 /// A request to the debugger: see semihosting.hpp.
 uintptr_t ask_debugger(uintptr_t operation, const void* arguments);
 

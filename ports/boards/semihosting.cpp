@@ -4,8 +4,8 @@
 
 namespace {
 
-// Operations and their arguments as Arm's "Semihosting for AArch32 and AArch64" has them; RISC-V
-// took them over. Every argument is as wide as a pointer.
+// Operations and arguments of Arm's "Semihosting for AArch32 and AArch64", which RISC-V uses, too.
+// Every argument has the width of a pointer.
 constexpr uintptr_t sys_open = 0x01, sys_write0 = 0x04, sys_read = 0x06, sys_exit_extended = 0x20;
 constexpr uintptr_t mode_read_binary = 1;
 constexpr uintptr_t application_exit = 0x20026;
@@ -30,7 +30,7 @@ intptr_t semihosting::open_to_read(const char* name) {
 size_t semihosting::read(intptr_t file, void* bytes, size_t count) {
   const uintptr_t arguments[] = {static_cast<uintptr_t>(file), reinterpret_cast<uintptr_t>(bytes),
                                  count};
-  return count - cpu::ask_debugger(sys_read, arguments);  // the answer is what was not read
+  return count - cpu::ask_debugger(sys_read, arguments);  // unread bytes
 }
 
 void semihosting::exit(int code) {

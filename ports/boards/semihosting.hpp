@@ -1,7 +1,7 @@
-// Semihosting: files, a console and an exit code, lent by the debugger or by QEMU.
+// Semihosting: files, a console and an exit code, provided by the debugger or by QEMU.
 //
-// Without either a request is a fault. A port to a board that has to run alone replaces what uses
-// this: board.cpp, and the file as the source of rows.
+// Without them, a request is a fault. A port to a stand-alone board replaces the users of this
+// header: board.cpp, and the file as the source of rows.
 #pragma once
 
 #include <stddef.h>
@@ -11,7 +11,7 @@ namespace semihosting {
 
 void print(const char* text);
 
-/// The number of a file to read; negative when it cannot be opened.
+/// Returns the number of a file to read; negative if it cannot be opened.
 intptr_t open_to_read(const char* name);
 
 /// Reads up to `count` bytes; fewer at the end of the file. Returns their number.

@@ -1,4 +1,4 @@
-"""Codes a mesh of discmc by the codec of meshoptimizer.
+"""Encodes a mesh of discmc with the codec of meshoptimizer.
 
 usage: encoded_mesh.py MESH.ply > FILE; `discmc extract --spacing 2` writes such a mesh, whose coordinates are whole
 half-steps. Triangles and vertices are put into the order that the codec codes best. scripts/tools/bench-bits runs this.
@@ -19,7 +19,7 @@ def size(number):
 
 
 def read_ply(path):
-    """Returns the vertices, of four half-steps each, and the triangles, in arrays for the codec."""
+    """Returns the vertices, as four half-steps each, and the triangles, in arrays for the codec."""
     with open(path, 'rb') as file:
         header, _, rows = file.read().partition(b'end_header\n')
     vertices, faces = (int(line.split()[2]) for line in header.splitlines() if line.startswith(b'element'))
@@ -32,7 +32,7 @@ def read_ply(path):
 
 
 def encoded(encode, bound, *source):
-    """source: what the codec reads, after the buffer that it writes."""
+    """source: the codec's input, after its output buffer."""
     buffer = ctypes.create_string_buffer(bound)
     length = encode(buffer, size(bound), *source)
     return buffer.raw[:length]

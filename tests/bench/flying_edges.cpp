@@ -46,7 +46,8 @@ std::vector<float> surrounded(VolumeReader& volume, float level) {
   return all;
 }
 
-// The middle of the edge that a vertex crosses, or of a cell where it is a voxel. at: in voxels.
+// The middle of the edge on which a vertex lies, or of a cell if the vertex is a voxel. at: in
+// voxels.
 Vertex edge_of(const std::array<double, 3>& at) {
   std::array<int, 3> middle{};
   int fractional = 0;

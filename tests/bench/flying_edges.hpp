@@ -1,4 +1,4 @@
-// The mesh that VTK makes of a volume.
+// The mesh of a volume by VTK.
 #pragma once
 
 #include "meshes/mesh.hpp"
@@ -6,8 +6,8 @@
 
 namespace discmc::bench {
 
-/// The triangles of FlyingEdges3D, closed half a voxel outside the volume. Limit: the samples are
-/// u8, u16 or i16. FaceMesh::lattice has the middle of the edge on which each vertex lies.
+/// The triangles of FlyingEdges3D, closed half a voxel outside the volume. FaceMesh::lattice has
+/// the middle of each vertex' edge. Limit: u8, u16 or i16 samples.
 command::FaceMesh flying_edges(command::VolumeReader& volume, double level);
 
 }  // namespace discmc::bench

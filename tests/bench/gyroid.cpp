@@ -1,4 +1,4 @@
-// Writes a volume of any size to the standard output, u8 samples row by row. It is a ball full of
+// Writes a volume of any size to standard output, as u8 samples. The volume is a ball full of
 // tunnels (a gyroid) with noise, like a foam in a micro-CT. scripts/tools/bench-large uses it.
 #include <cmath>
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace {
 
-constexpr float period = 85.3F;  // of the tunnels, in voxels: 6 of them along 512
+constexpr float period = 85.3F;  // period of the tunnels, in voxels: 6 of them along 512
 constexpr float solid = 120, contrast = 40, outside = 80;
-constexpr float ball = 0.9F;  // its radius; 1 is half the extent
+constexpr float ball = 0.9F;  // radius of the ball; 1 is half the extent
 
-// What an axis gives to the samples of a coordinate.
+// The terms of the samples that depend on one coordinate.
 struct Wave {
   explicit Wave(std::uint32_t extent) {
     for (std::uint32_t i = 0; i < extent; ++i) {
@@ -27,7 +27,7 @@ struct Wave {
   std::vector<float> sine, cosine, square;
 };
 
-// Four numbers of -8 to 7 added up: nearly a bell of sigma 9.2, then a quarter of it.
+// The sum of four numbers of -8 to 7, nearly normal with sigma 9.2, divided by four.
 class Noise {
  public:
   float next() {

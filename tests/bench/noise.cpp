@@ -1,5 +1,5 @@
-// What noise adds to a stream, and what the stages before the extractor take away of it again: the
-// table of docs/front-end.md, on generated volumes.
+// The cost of noise in streams, and its reduction by the stages before the extractor: the table of
+// docs/front-end.md, on generated volumes.
 //
 //   bench_noise
 
@@ -71,7 +71,8 @@ Rows filtered(const Rows& rows) {
   return result;
 }
 
-// A ball that fades at its rim by so much a voxel, between two values.
+// A ball with a gradient at its surface: the samples change by `slope` per voxel between two
+// values.
 struct Ball {
   double fades_by, least, most;
 };

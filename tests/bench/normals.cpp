@@ -1,4 +1,4 @@
-// How exact the normals of merged surfaces are, on generated balls and on volumes from files.
+// The accuracy of the normals of merged surfaces, on generated balls and on volumes from files.
 //
 //   bench_normals
 //   bench_normals ct_quarter.nrrd:500 cthead.nrrd:500 engine.nii.gz:80
@@ -94,7 +94,7 @@ void print_head() {
 
 struct Ball {
   std::string name;
-  Angles gradient, surface;  // to the radii
+  Angles gradient, surface;  // compared with the radii
 };
 
 Ball measure_ball(double radius, const char* kind, SampleType type, const Ramp& ramp) {
@@ -123,7 +123,7 @@ std::vector<Ball> measure_balls() {
     SampleType type;
     Ramp ramp;
   };
-  // What is not within the type's range is level.
+  // Samples beyond the range of the type are clamped.
   const Kind kinds[] = {{"step of 255", SampleType::u8, {1e6, 128, 255}},
                         {"8 a voxel", SampleType::u8, {8, 128, 255}},
                         {"32 a voxel", SampleType::u8, {32, 128, 255}},

@@ -1,4 +1,4 @@
-// What short frames cost, and what a lossy link of frames of 20 bytes loses with them.
+// The cost of short frames, and the losses of frames of 20 bytes on a lossy link.
 //
 //   bench_short_frames cthead.nrrd:500
 

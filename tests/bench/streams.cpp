@@ -1,4 +1,4 @@
-// How far the surface of a stream is from that of the samples, and in how many bytes.
+// The distances between the surfaces of streams and of samples, and the bytes of the streams.
 //
 //   bench_streams cthead.nrrd:500 engine.nii.gz:80
 
@@ -24,6 +24,7 @@
 #include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/mesh.hpp>
 
+#include "../command/received_fractions.hpp"
 #include "comparison/volumes.hpp"
 #include "extraction/classic.hpp"
 #include "extraction/crossings.hpp"
@@ -34,9 +35,6 @@
 #include "samples/iso_value.hpp"
 #include "samples/spacing.hpp"
 #include "smoothing/relaxed_crossings.hpp"
-#include "streams/sent_fractions.hpp"
-#include "streams/stream_reader.hpp"
-#include "surface/joined_surface.hpp"
 #include "volumes/volume.hpp"
 
 #ifdef DISCMC_WITH_CHARLS
@@ -70,16 +68,8 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Stream {
   Bytes bytes;
-  std::uint64_t memory;  // of the encoder, at least
+  std::uint64_t memory;  // minimum memory of the encoder
 };
-
-ByteOutput output_to(Bytes& bytes) {
-  return {&bytes, [](void* context, const std::uint8_t* written, std::size_t count) {
-            auto& all = *static_cast<Bytes*>(context);
-            all.insert(all.end(), written, written + count);
-            return count;
-          }};
-}
 
 using Opening = std::function<std::unique_ptr<VolumeReader>()>;
 
@@ -170,38 +160,9 @@ class GeneratedReader final : public VolumeReader {
   const std::uint8_t* next_ = nullptr;
 };
 
-class Received {
- public:
-  explicit Received(const Bytes& bytes) : reader_(make_sink(*this)) {
-    reader_.push(bytes.data(), bytes.size());
-    reader_.finish();
-    joined_.finish();
-    joined_.surface().spacing_mm = spacing_mm(reader_.header());
-  }
-  Received(const Received&) = delete;
-  Received& operator=(const Received&) = delete;
-
-  SinkResult accept(const Event& event) {
-    fractions_.accept(event);
-    return joined_.accept(event);
-  }
-
-  Crossings crossings(bool relaxes) const {
-    Crossings crossings(reader_.dims(), joined_.surface().polygons);
-    fractions_.place(crossings);
-    if (relaxes) relax(crossings, joined_.surface(), {Border::closed, 0, {}});
-    return crossings;
-  }
-  /// crossings: null for the merged mesh.
-  FaceMesh mesh(const Crossings* crossings) const {
-    return build_mesh(joined_.surface(), {true, Faces::triangles, crossings, 0});
-  }
-
- private:
-  JoinedSurface joined_;
-  SentFractions fractions_;
-  StreamReader reader_;
-};
+FaceMesh mesh_of(const ReceivedFractions& received, const Crossings* crossings) {
+  return build_mesh(received.surface(), {true, Faces::triangles, crossings, 0});
+}
 
 std::vector<Point> normals_of(const FaceMesh& mesh) {
   std::vector<Point> normals(mesh.vertices_mm.size());
@@ -214,17 +175,17 @@ std::vector<Point> normals_of(const FaceMesh& mesh) {
   return normals;
 }
 
-// The mean angle at the crossings that both meshes have. Units: degrees.
+// The mean angle at the crossings of both meshes. Units: degrees.
 double mean_angle(const FaceMesh& mesh, const FaceMesh& exact) {
   const std::vector<Point> normals = normals_of(mesh), exact_normals = normals_of(exact);
-  std::unordered_map<Vertex, std::size_t, VertexHash> places;
-  for (std::size_t i = 0; i < exact.lattice.size(); ++i) places.emplace(exact.lattice[i], i);
+  std::unordered_map<Vertex, std::size_t, VertexHash> indexes;
+  for (std::size_t i = 0; i < exact.lattice.size(); ++i) indexes.emplace(exact.lattice[i], i);
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
     const Vertex& at = mesh.lattice[i];
-    const auto found = places.find(at);
-    if ((at.x & at.y & at.z & 1) != 0 || found == places.end()) continue;
+    const auto found = indexes.find(at);
+    if ((at.x & at.y & at.z & 1) != 0 || found == indexes.end()) continue;
     sum += std::acos(std::clamp(dot(normals[i], exact_normals[found->second]), -1.0, 1.0));
     ++count;
   }
@@ -258,7 +219,7 @@ CrossingFinder crossings_of(const Scan& scan) {
   return finder;
 }
 
-// Lossless, each slice by itself, if the program has CharLS.
+// Lossless, each slice alone, if built with CharLS.
 void print_samples(const Scan& scan) {
 #ifdef DISCMC_WITH_CHARLS
   const auto volume = scan.open();
@@ -281,7 +242,7 @@ void print_samples(const Scan& scan) {
 #endif
 }
 
-// The mesh of the samples, if the program has VTK.
+// The mesh of the samples, if built with VTK.
 std::optional<FaceMesh> flying_edges(const Scan& scan) {
 #ifdef DISCMC_WITH_VTK
   return bench::flying_edges(*scan.open(), scan.iso() - 0.5);
@@ -300,13 +261,13 @@ class Rows {
     begin_row();
     print_samples(scan_);
     const Stream polygons = scan_.polygons();
-    const Received received(polygons.bytes);
+    const ReceivedFractions received(polygons.bytes);
     const CrossingFinder finder = crossings_of(scan_);
     exact_ = &finder.crossings();
-    exact_mesh_ = received.mesh(exact_);
+    exact_mesh_ = mesh_of(received, exact_);
     classic_ = scan_.classic();
     print_flying_edges();
-    print_row("polygons", polygons, received.crossings(false), received.mesh(nullptr));
+    print_row("polygons", polygons, received.crossings(), mesh_of(received, nullptr));
     for (const int levels : {0, 2, 4}) print_slices(static_cast<std::uint8_t>(levels));
   }
 
@@ -321,12 +282,14 @@ class Rows {
 
   void print_slices(std::uint8_t levels) {
     const Stream stream = scan_.slices(levels, 0);
-    const Received received(stream.bytes);
+    const ReceivedFractions received(stream.bytes);
     const std::string name = levels == 0 ? "slices" : std::to_string(levels) + " levels";
     for (const bool relaxes : {false, true}) {
       if (levels == 0 && !relaxes) continue;
-      const Crossings crossings = received.crossings(relaxes);
-      print_row(name + (relaxes ? ", relaxed" : ""), stream, crossings, received.mesh(&crossings));
+      Crossings crossings = received.crossings();
+      if (relaxes) relax(crossings, received.surface(), {Border::closed, 0, {}});
+      print_row(name + (relaxes ? ", relaxed" : ""), stream, crossings,
+                mesh_of(received, &crossings));
     }
     begin_row();
     std::printf("%s, every 16th a key slice | %zu | | | | | | |\n", name.c_str(),

@@ -1,8 +1,8 @@
-// Prints the shares of shares.cpp, trained on the streams named on the command line:
+// Prints the frequencies of frequencies.cpp, trained on the streams named on the command line:
 //   train_record_model STREAM.dmc...
-// Every stream counts the same, whatever its length, so that no single scan dominates. Use streams
-// of scans in ample memory, which hold regions, and in little memory, which hold loose fragments,
-// too. Use streams of volumes, and of balls, whose regions are smaller.
+// Every stream has equal weight for any length, so that no single scan dominates. Use streams of
+// scans in ample memory, with whole regions, and in little memory, with loose fragments. Use
+// streams of volumes, and of balls, whose regions are smaller.
 #include <discmc/decoder.hpp>
 #include <discmc/stream/record_writing.hpp>
 
@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "oracle/symbol_rows.hpp"
+#include "oracle/symbol_contexts.hpp"
 
 namespace {
 
 using discmc::detail::stream::Record;
 using discmc::detail::stream::RecordKind;
-using Counts = std::array<double, discmc::detail::stream::rows::end>;
+using Counts = std::array<double, discmc::detail::stream::contexts::end>;
 
 struct CountingCoder {
   static constexpr bool writes = true;
@@ -29,10 +29,10 @@ struct CountingCoder {
     ++(*counts)[row + symbol];
     return symbol;
   }
-  uint32_t even(uint32_t, uint32_t value) { return value; }
+  uint32_t raw_bits(uint32_t, uint32_t value) { return value; }
 };
 
-// Encodes every record with a counting model, which starts anew about as often as packets do.
+// Encodes every record with a counting model, which restarts about as often as packets.
 class Trainer {
  public:
   discmc::SinkResult accept(const discmc::Event& event) {
@@ -80,7 +80,7 @@ class Trainer {
     model_.record_kind(RecordKind::end);
     model_ = Model({&counts_});
   }
-  // A region that turns out not to be closed is forgotten.
+  // Discards a region that is not closed.
   bool encode_whole() {
     const Counts counts = counts_;
     const Model model = model_;
@@ -120,34 +120,37 @@ Counts counts_of(const char* path) {
   return trainer.counts();
 }
 
-// The 256 shares of a row: one for each symbol that there is, and each further one where it saves
-// the most bits.
-std::vector<uint32_t> shares_of(const double* counts, const std::vector<bool>& there_is) {
-  const auto symbols = there_is.size();
-  std::vector<uint32_t> shares(symbols);
+// The frequencies of a context. They add up to 256: at least one for each valid symbol; the rest
+// where it saves the most bits.
+std::vector<uint32_t> frequencies_of(const double* counts, const std::vector<bool>& is_valid) {
+  const auto symbols = is_valid.size();
+  std::vector<uint32_t> frequencies(symbols);
   uint32_t left = 256;
   double total = 0;
   for (size_t i = 0; i < symbols; ++i) {
-    shares[i] = there_is[i] ? 1 : 0;
-    left -= shares[i];
+    frequencies[i] = is_valid[i] ? 1 : 0;
+    left -= frequencies[i];
     total += counts[i];
   }
   const double unseen = total * 1e-5 + 1e-9;
   for (; left > 0; --left) {
     size_t best = 0;
-    double most = -1;
+    double max_saved = -1;
     for (size_t i = 0; i < symbols; ++i) {
-      if (!there_is[i]) continue;
-      const double saved = (counts[i] + unseen) * std::log2((shares[i] + 1.0) / shares[i]);
-      if (saved > most) best = i;
-      if (saved > most) most = saved;
+      if (!is_valid[i]) continue;
+      const double saved =
+          (counts[i] + unseen) * std::log2((frequencies[i] + 1.0) / frequencies[i]);
+      if (saved > max_saved) {
+        best = i;
+        max_saved = saved;
+      }
     }
-    ++shares[best];
+    ++frequencies[best];
   }
-  return shares;
+  return frequencies;
 }
 
-// In lines as the source has them.
+// In lines like those of the source.
 void print(const std::vector<uint32_t>& numbers) {
   std::string line;
   for (const uint32_t number : numbers) {
@@ -178,19 +181,18 @@ int main(int argc, char** argv) {
       all[symbol] += counts[symbol] / total * 100000;
   }
   std::vector<uint32_t> below;
-  for (const discmc::reference::SymbolRows& rows : discmc::reference::symbol_rows())
-    for (uint32_t row = 0; row < rows.rows; ++row) {
-      std::vector<bool> there_is(rows.symbols, true);
-      if (rows.name == std::string("corners"))
-        for (uint32_t i = 0; i < rows.symbols; ++i)
-          there_is[i] = discmc::reference::has_corners(rows.symbols == 2   ? 0
-                                                       : rows.symbols == 9 ? 1
-                                                                           : 2,
-                                                       i);
+  for (const discmc::reference::SymbolContexts& of : discmc::reference::symbol_contexts())
+    for (uint32_t context = 0; context < of.count; ++context) {
+      std::vector<bool> is_valid(of.symbols, true);
+      const uint32_t link_class = of.symbols == 2 ? 0 : of.symbols == 9 ? 1 : 2;
+      if (of.name == std::string("corners"))
+        for (uint32_t i = 0; i < of.symbols; ++i)
+          is_valid[i] = discmc::reference::has_corners(link_class, i);
       uint32_t sum = 0;
-      for (const uint32_t share : shares_of(&all[rows.first + row * rows.symbols], there_is)) {
+      const double* const counts = &all[of.first + context * of.symbols];
+      for (const uint32_t frequency : frequencies_of(counts, is_valid)) {
         below.push_back(sum & 0xFF);
-        sum += share;
+        sum += frequency;
       }
     }
   below.push_back(0);

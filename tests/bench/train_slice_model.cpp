@@ -1,7 +1,7 @@
 // Prints the probabilities of slice_model.cpp, trained on the streams of slices named on the
 // command line:
 //   train_slice_model STREAM.dmc...
-// Every stream counts the same, however long, so that no single scan sets the tone.
+// Every stream has equal weight for any length, so that no single scan dominates.
 #include <discmc/slice_decoder.hpp>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace slices = discmc::detail::slices;
 
 using Counts = std::array<std::array<double, 2>, slices::context::count>;
 
-// A model that counts: its probabilities stand for their contexts.
+// A model that counts. Its probabilities represent their contexts.
 struct CountingCoder {
   discmc::LearntProbability* first;
   Counts* counts;
@@ -27,10 +27,10 @@ struct CountingCoder {
     ++(*counts)[static_cast<size_t>(&probability - first)][bit ? 1 : 0];
     return bit;
   }
-  uint32_t even(uint32_t, uint32_t value) { return value; }
+  uint32_t raw_bits(uint32_t, uint32_t value) { return value; }
 };
 
-// Encodes rows in their order, as rows of one kind of slice.
+// Encodes rows in order, as rows of one kind of slice.
 class Trainer {
  public:
   Trainer(const discmc::Limits& limits, slices::SliceKind kind)
@@ -41,7 +41,7 @@ class Trainer {
     model_.start(arena, false);
   }
 
-  void take(const uint8_t* bits) {
+  void count_row(const uint8_t* bits) {
     rows_.append_bits(bits);
     if (kind_ == slices::SliceKind::key || rows_.slices() > 0) count();
     rows_.next_row();
@@ -84,7 +84,7 @@ bool read_stream(const char* path, RowCollector& collector, discmc::Limits& limi
   if (!limits.is_valid()) return false;
   std::vector<uint8_t> memory(discmc::SliceDecoder::minimum_bytes(limits));
   collector.row_bytes = (limits.width + 7) / 8;
-  return decoder.give_memory({memory.data(), memory.size()}) == discmc::Status::ok &&
+  return decoder.set_memory({memory.data(), memory.size()}) == discmc::Status::ok &&
          decoder.push(bytes.data() + taken, bytes.size() - taken).status == discmc::Status::ok &&
          decoder.report().is_complete();
 }
@@ -116,7 +116,7 @@ int main(int argument_count, char** arguments) {
         return 1;
       }
       Trainer trainer(limits, kind);
-      for (const auto& row : collector.rows) trainer.take(row.data());
+      for (const auto& row : collector.rows) trainer.count_row(row.data());
       double all = 0;
       for (const auto& count : trainer.counts()) all += count[0] + count[1];
       constexpr double decisions = 20000;

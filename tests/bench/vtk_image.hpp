@@ -1,4 +1,4 @@
-// Samples in memory as VTK reads them.
+// Samples in memory as an image of VTK.
 #pragma once
 
 #include <vtkAOSDataArrayTemplate.h>
@@ -13,8 +13,8 @@
 
 namespace discmc::bench {
 
-/// The samples as they lie in memory; they must outlive the image. first: the position of the first
-/// sample along each axis.
+/// Uses the samples in place; they must outlive the image. first: the position of the first sample
+/// along each axis.
 template <class Sample>
 vtkSmartPointer<vtkImageData> image_of(const std::vector<Sample>& samples,
                                        const std::array<uint32_t, 3>& dims, int first = 0) {

@@ -1,4 +1,4 @@
-// What messages advise is run, and works.
+// Runs the commands that messages advise, and checks that they work.
 #include "command.hpp"
 #include "pages/page.hpp"
 
@@ -10,12 +10,12 @@ using volume_files::npy;
 using volume_files::nrrd;
 
 struct Advice {
-  std::string arguments;  // which fail
-  std::string advice;     // in the message
-  std::string then;       // the arguments when it was followed
+  std::string arguments;  // the arguments, which fail
+  std::string advice;     // a part of the message
+  std::string then;       // the arguments that follow the advice
 };
 
-// Six by five by four voxels of text, on in the middle.
+// Six by five by four voxels as text, with on voxels in the middle.
 std::string text_volume(const std::string& off, const std::string& on) {
   std::string samples;
   for (int z = 0; z < 4; ++z)

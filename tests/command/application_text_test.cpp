@@ -17,7 +17,7 @@ std::string text_of(const Placement& placement) {
 
 }  // namespace
 
-TEST_CASE("a record is its kind, its place and its bytes") {
+TEST_CASE("a record is printed with its kind, position and bytes") {
   const uint8_t bytes[] = {0, 0x7F, 0xA0};
   CHECK(text(ApplicationRecord{3, 40, 5, bytes, 3}) == "kind 3, slice 40, row 5: 3 bytes 00 7f a0");
   CHECK(text(ApplicationRecord{0, 0, 0, bytes, 1}) == "kind 0, slice 0, row 0: 1 byte 00");

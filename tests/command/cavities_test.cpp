@@ -1,4 +1,4 @@
-// Cavities that are filled: --fill.
+// Filled cavities: --fill.
 #include "command.hpp"
 #include "sample_reader.hpp"
 #include "surface/components.hpp"
@@ -42,7 +42,7 @@ TEST_CASE("a filled cavity loses the bodies inside it") {
 
 TEST_CASE("a body beside a cavity stays, also in the box around it") {
   BitVolume volume({20, 20, 20});
-  // A cavity with three arms, and a body between them, outside.
+  // A cavity with three arms, and a body outside, between the arms.
   put_box(volume, {0, 0, 0}, {19, 6, 6}, 1);
   put_box(volume, {0, 0, 0}, {6, 19, 6}, 1);
   put_box(volume, {0, 0, 0}, {6, 6, 19}, 1);

@@ -37,7 +37,7 @@ Field noise(Size size, std::uint32_t seed, std::uint32_t values) {
   return field;
 }
 
-// The density falls with the distance from the middle, to 100 at the radius.
+// The density decreases with the distance from the middle, to 100 at the radius.
 Field ramp(Size size, double radius) {
   Field field{size, {}};
   for (std::uint32_t z = 0; z < size.depth; ++z)
@@ -69,7 +69,7 @@ Extraction extraction(const Field& field, Border border) {
 }
 
 // A vertex lies strictly between an on and an off voxel, where the line through their samples
-// passes the level. Next to the halo it is in the middle.
+// reaches the level. Next to the halo it is in the middle.
 void check_vertex(const Field& field, const Point& vertex) {
   constexpr double level = 99.5;
   int low[3], high[3], broken = 0;
@@ -101,7 +101,7 @@ void check_classic(const Field& field, Border border) {
   CHECK(mesh.face_count() == extracted.statistics.classic_triangles);
   const MeshReport report = check_mesh(mesh);
   CHECK(report.non_manifold_edges + report.wrongly_oriented + report.degenerate_faces == 0);
-  CHECK((border == Border::open || report.closed()));
+  CHECK((border == Border::open || report.is_closed()));
   for (const Point& vertex : mesh.vertices_mm) check_vertex(field, vertex);
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("cells of any configuration fit each other") {
   }
 }
 
-TEST_CASE("classic Marching Cubes finds the ball that the samples stand for") {
+TEST_CASE("vertices of classic Marching Cubes lie on the sampled ball") {
   const double radius = 9.2;
   const FaceMesh mesh = classic(ramp({26, 26, 26}, radius));
   for (const Point& vertex : mesh.vertices_mm)
@@ -142,7 +142,7 @@ TEST_CASE("triangles of Marching Cubes face outside for axes in either direction
     for (const double y : {0.5, -0.5})
       for (const double z : {3.0, -3.0}) {
         const FaceMesh mesh = classic(field, Border::closed, {x, y, z});
-        CHECK(check_mesh(mesh).closed());
+        CHECK(check_mesh(mesh).is_closed());
         CHECK(volume_of(mesh) == doctest::Approx(3 * expected));
       }
 }

@@ -1,4 +1,4 @@
-// discmc extract, decode and render without noise and specks.
+// discmc extract, decode and render, with noise and specks removed.
 #include "command.hpp"
 #include "oracle/volume.hpp"
 
@@ -9,7 +9,7 @@ using command_tests::contains;
 using command_tests::Workshop;
 using discmc::reference::BitVolume;
 
-// Two boxes and a voxel, 1 where on.
+// Two boxes and a voxel; on is 1.
 std::string boxes() {
   BitVolume volume = discmc::reference::box({20, 16, 12}, {2, 2, 2}, {9, 9, 9});
   const BitVolume other = discmc::reference::box({20, 16, 12}, {13, 3, 3}, {16, 8, 8});
@@ -69,7 +69,7 @@ TEST_CASE_FIXTURE(
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "cleaning that makes no sense is refused") {
+TEST_CASE_FIXTURE(Workshop, "cleaning options that contradict each other are refused") {
   write("v.raw", boxes());
   fails(extract + "--largest 1 -o v.dmc", 2, {"--largest", "a stream"});
   fails(extract + "--min-volume 1 -o v.dmc", 2, {"--min-volume"});

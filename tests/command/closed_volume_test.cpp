@@ -1,4 +1,4 @@
-// Masks whose gaps are closed: extract --close.
+// Masks with closed gaps: extract --close.
 #include "smoothing/closed_volume.hpp"
 
 #include "command.hpp"
@@ -24,7 +24,7 @@ std::vector<std::uint8_t> closed(const BitVolume& volume, const Point& spacing_m
   return samples;
 }
 
-// By the definition, in a volume that is so much larger on all sides.
+// Dilates and erodes by definition, in a volume that is larger by the distance on all sides.
 struct Space {
   int margin;
   int extent[3];

@@ -14,7 +14,7 @@ const fs::path corpus = fs::path(DISCMC_SOURCE_DIR) / "fuzz/corpus/volume_reader
 
 const std::string standard = "1.2.840.10008.1.2";
 
-// The UIDs of transfer syntaxes: those of the standard, some that do not exist, and one of GE.
+// The UIDs of transfer syntaxes: those of the standard, some undefined ones, and one of GE.
 std::vector<std::string> transfer_syntaxes() {
   std::vector<std::string> all = {standard, "1.2.840.113619.5.2"};
   for (int i = 1; i < 10; ++i) all.push_back(standard + "." + std::to_string(i));
@@ -23,7 +23,7 @@ std::vector<std::string> transfer_syntaxes() {
   return all;
 }
 
-// The numbers of compressions that TIFF or LibTIFF defines, and some beside them.
+// The numbers of compressions that TIFF or LibTIFF defines, and some undefined ones.
 std::set<std::uint32_t> tiff_compressions() {
   std::set<std::uint32_t> all;
   for (const auto& [first, last] : {std::pair(1U, 10U),
@@ -39,7 +39,7 @@ std::set<std::uint32_t> tiff_compressions() {
   return all;
 }
 
-// The error of reading a file, empty if it is read to its end.
+// The error of reading a file; empty if the file is read to its end.
 std::string refusal_of(const fs::path& file, const VolumeOptions& options = {}) {
   try {
     read_all(*open_volume(file, options));
@@ -58,7 +58,7 @@ std::string transfer_syntax(const std::string& bytes) {
   return uid.substr(0, uid.find('\0'));
 }
 
-// The compression of the first page of a file with low bytes first; 0 for other files.
+// The compression of the first page of a little-endian file; 0 for other files.
 std::uint32_t tiff_compression(const std::string& bytes) {
   const auto number = [&](std::size_t at, std::size_t size) {
     std::uint32_t value = 0;
@@ -75,7 +75,7 @@ std::uint32_t tiff_compression(const std::string& bytes) {
   return 0;
 }
 
-// Inputs by what codec() finds in their files. place: that of the file's name in
+// Inputs by the results of codec() for their files. place: the index of the file's name in
 // volume_readers.cpp.
 template <class Codec>
 auto seeds(std::uint8_t place, const std::string& name, Codec codec) {
@@ -124,7 +124,7 @@ TEST_CASE_FIXTURE(
     file.page(5, 3, stored(SampleType::u8).substr(0, 15),
               {{tiff_writer::tag::compression, whole({number})}});
     const std::string refused = refusal_of(write("v.tif", file.bytes()));
-    // SGILog of 24 and 32 bits is only of colours that are not read.
+    // SGILog of 24 and 32 bits is only for colours, which are not read.
     if (contains(refused, "its compression, number") || number == 34676 || number == 34677)
       continue;
     INFO(number);

@@ -1,4 +1,4 @@
-// Runs the built command in a folder of its own, and reads back the meshes that it writes.
+// Runs the built command in a folder of its own, and reads the meshes that it writes.
 #pragma once
 
 #include <sys/wait.h>
@@ -29,7 +29,7 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// What a run came to. A signal that ended it is 128 and more, as shells have it.
+/// The result of a run. If a signal ended the run, the code is 128 plus the signal, as in shells.
 struct Result {
   int code;
   std::string out, error;
@@ -38,7 +38,7 @@ struct Result {
 /// A folder in which the command runs.
 class Workshop {
  public:
-  /// Runs a line of shell, in which "$discmc" is the command.
+  /// Runs a line of shell. "$discmc" is the command.
   Result shell(const std::string& line) const {
     const auto out = logs_.path() / "out", error = logs_.path() / "error";
     const std::string whole = "discmc='" DISCMC_COMMAND "'; cd '" + folder_.path().string() +
@@ -51,7 +51,7 @@ class Workshop {
   /// Runs the command with arguments as a shell splits them.
   Result run(const std::string& arguments) const { return shell("\"$discmc\" " + arguments); }
 
-  /// The same for a run that must succeed; returns its standard output.
+  /// Likewise for a run that must succeed. Returns its standard output.
   std::string done(const std::string& arguments) const {
     const Result result = run(arguments);
     INFO(arguments, "\n", result.error);
@@ -59,8 +59,8 @@ class Workshop {
     return result.out;
   }
 
-  /// The same for a run that must fail: it prints all parts on standard error, nothing on standard
-  /// output, and leaves no file.
+  /// Likewise for a run that must fail. It prints all parts on standard error and nothing on
+  /// standard output, and leaves no file.
   void fails(const std::string& arguments, int code, const std::vector<std::string>& parts) const {
     const std::vector<std::string> before = file_names();
     const Result result = run(arguments);
@@ -84,7 +84,7 @@ class Workshop {
     folder_.write(name, bytes);
   }
 
-  /// Writes the volume as an NRRD file with more header lines; on is 200, off is 10.
+  /// Writes the volume as an NRRD file with additional header lines. On is 200, off is 10.
   void write(const std::string& name, const BitVolume& volume,
              const std::string& lines = "spacings: 1 1 1\n" + volume_files::units_in_mm) const {
     std::string samples;
@@ -96,7 +96,7 @@ class Workshop {
 
   std::string read(const std::string& name) const { return contents(folder_.path() / name); }
 
-  /// The names of all files there are, sorted.
+  /// The names of all files, sorted.
   std::vector<std::string> file_names() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
@@ -144,7 +144,7 @@ inline FileMesh mesh_of_obj(const std::string& text) {
   return mesh;
 }
 
-/// Takes little-endian values off the front of bytes. Errors: fails the test at the end.
+/// Reads little-endian values from the front of bytes. Errors: fails the test at the end.
 class Taker {
  public:
   explicit Taker(const std::string& bytes, std::size_t at = 0) : bytes_(bytes), at_(at) {}
@@ -238,7 +238,7 @@ inline FileMesh mesh_of_ply(const std::string& bytes) {
   return mesh;
 }
 
-/// By the extension of the name.
+/// Reads the format given by the extension of the name.
 inline FileMesh mesh_of(const std::string& name, const std::string& bytes) {
   const std::string extension = name.substr(name.size() - 4);
   if (extension == ".obj") return mesh_of_obj(bytes);
@@ -248,7 +248,7 @@ inline FileMesh mesh_of(const std::string& name, const std::string& bytes) {
   return extension == ".ply" ? mesh_of_ply(bytes) : mesh_of_stl(bytes);
 }
 
-/// What the faces enclose, when they are closed and look outside. Units: cubic millimetres.
+/// The volume inside the faces, if they are closed and face outwards. Units: cubic millimetres.
 inline double volume_of(const FileMesh& mesh) {
   double sum = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
@@ -262,14 +262,14 @@ inline double volume_of(const FileMesh& mesh) {
   return sum / 6;
 }
 
-/// The command prints all of these on standard error.
+/// Checks that the command prints all of these on standard error.
 inline void check_parts(const Result& result, int code, const std::vector<std::string>& parts) {
   INFO(result.error);
   CHECK(result.code == code);
   for (const std::string& part : parts) CHECK(contains(result.error, part));
 }
 
-/// And nothing on standard output.
+/// Likewise, and nothing on standard output.
 inline void check_failure(const Result& result, int code, const std::vector<std::string>& parts) {
   check_parts(result, code, parts);
   CHECK(result.out.empty());

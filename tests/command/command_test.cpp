@@ -35,7 +35,7 @@ const std::string little_endian_u16 = [] {
 
 const std::string layout = "--dims 13,12,11 --type u16 --iso 513 ";
 
-// The numbers of all lines that begin so.
+// The numbers of all lines with this beginning.
 std::vector<double> numbers_after(const std::string& begin, const std::string& text) {
   std::vector<double> numbers;
   std::istringstream lines(text);
@@ -171,7 +171,7 @@ TEST_CASE_FIXTURE(Workshop, "meshes are closed and exact for every volume and fo
       done("extract v.nrrd --iso 100 -o v." + format);
       const FileMesh mesh = mesh_of("v." + format, read("v." + format));
       CHECK(mesh.face_count() > 0);
-      CHECK(check_mesh(mesh).closed());
+      CHECK(check_mesh(mesh).is_closed());
       CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
     }
     if (!has_admesh) continue;
@@ -226,7 +226,7 @@ TEST_CASE_FIXTURE(Workshop, "faces are triangles, and polygons on request if the
     done("decode v.dmc --faces polygons -o v." + format);
     const std::string polygons = read("v." + format);
     const FileMesh mesh = mesh_of("v." + format, polygons);
-    CHECK(check_mesh(mesh).closed());
+    CHECK(check_mesh(mesh).is_closed());
     CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
     CHECK(std::to_string(mesh.face_count()) == info_of("v.dmc")["regions"]);
     done("extract v.nrrd --iso 100 -q --faces polygons -o v." + format);
@@ -322,7 +322,7 @@ TEST_CASE_FIXTURE(Workshop, "less memory makes the stream longer; the surface is
     CHECK(contains(table, "the arena lacked slots"));
     done("decode v.dmc -o v.stl");
     const FileMesh mesh = mesh_of_stl(read("v.stl"));
-    CHECK(check_mesh(mesh).closed());
+    CHECK(check_mesh(mesh).is_closed());
     CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
     auto pieces = info_of("v.dmc");
     CHECK(std::stoi(pieces["fragments"]) > 0);
@@ -444,7 +444,7 @@ TEST_CASE_FIXTURE(Workshop,
   const std::string dims = " --dims 5,3,4 --type ";
   write("u8.raw", volume_files::stored(volume_files::SampleType::u8));
   write("f64.raw", volume_files::stored(volume_files::SampleType::f64));
-  // Half way between two samples, the same two in both.
+  // Halfway between two samples, the same two in both.
   const auto normals_of = [&](const std::string& extension) {
     for (const std::string& volume :
          {"u8.raw --iso 122" + dims + "u8", "f64.raw --iso 0.05" + dims + "f64"})

@@ -8,7 +8,7 @@ namespace {
 
 using namespace command_tests;
 
-// The three distances of every row by its name, "A to B, mm".
+// The three distances of each row by its name, "A to B, mm".
 std::map<std::string, std::vector<double>> rows(const std::string& table) {
   std::map<std::string, std::vector<double>> result;
   std::istringstream lines(table);
@@ -22,7 +22,7 @@ std::map<std::string, std::vector<double>> rows(const std::string& table) {
   return result;
 }
 
-// Two triangles at a height, of whom nothing but the mesh is known.
+// Two triangles at a height, as a mesh without further information.
 std::string square(int height) {
   const std::string z = " " + std::to_string(height) + "\n";
   return "v 0 0" + z + "v 9 0" + z + "v 9 9" + z + "v 0 9" + z + "f 1 2 3\nf 1 3 4\n";

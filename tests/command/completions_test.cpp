@@ -1,4 +1,4 @@
-// Completions of the command line, in the shells themselves.
+// Completions of the command line, tested in the shells.
 #include "cli/help/outline.hpp"
 
 #include "command.hpp"
@@ -7,7 +7,7 @@ namespace {
 
 using namespace command_tests;
 
-// What bash offers at the end of a line.
+// The completions of bash at the end of a line.
 std::string bash_offers(const std::string& line) {
   const Result result = Workshop().shell(
       "\"$discmc\" completions bash > completions\n"
@@ -48,7 +48,7 @@ TEST_CASE("bash completes commands, options, and the words that a value can be")
   CHECK(bash_offers("completions ''") == "bash zsh fish\n");
 }
 
-TEST_CASE("bash leaves files to the shell") {
+TEST_CASE("bash completes files by itself") {
   if (!has("bash")) return;
   CHECK(bash_offers("extract v") == "\n");
   CHECK(bash_offers("extract v.nrrd -o v") == "\n");

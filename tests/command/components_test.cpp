@@ -1,4 +1,4 @@
-// Components of surfaces, and the choice among them.
+// Components of surfaces, and their selection.
 #include "surface/components.hpp"
 
 #include "hand_made.hpp"
@@ -15,9 +15,8 @@ using sample_reader::put_box;
 
 const discmc::meshing::Point spacing_mm = {0.5, -2, 3};
 
-// The volume inside the midpoint surface of a box of voxels: it has no corners and no edges. The
-// sums of its layers are those of the samples' bits less an eighth of each edge and some of each
-// corner. So the volume is taken from a box that is alone.
+// The volume inside the midpoint surface of a box. The surface cuts off corners and edges, so the
+// volume is measured on a box alone.
 double volume_of_box(int x, int y, int z) {
   BitVolume volume({20, 20, 20});
   put_box(volume, {1, 1, 1}, {x, y, z}, 1);
@@ -26,7 +25,7 @@ double volume_of_box(int x, int y, int z) {
 
 }  // namespace
 
-TEST_CASE("a voxel alone encloses an octahedron of a sixth of its volume") {
+TEST_CASE("a single voxel is an octahedron of a sixth of its volume") {
   CHECK(volume_of_box(1, 1, 1) == doctest::Approx(0.5 * 2 * 3 / 6));
 }
 
@@ -48,7 +47,7 @@ TEST_CASE("separate bodies are components, and a cavity is a component of negati
   CHECK(polygons == sample_reader::surface_of(volume, spacing_mm).polygons.size());
 }
 
-TEST_CASE("bodies that touch in the middle of a cell alone are apart") {
+TEST_CASE("bodies that touch only at the centroid of a cell are separate") {
   BitVolume volume({4, 4, 4});
   put_box(volume, {1, 1, 1}, {1, 1, 1}, 1);
   put_box(volume, {2, 2, 2}, {2, 2, 2}, 1);
@@ -64,7 +63,7 @@ TEST_CASE("polygons are connected if their sides share a link") {
   add_triangle(1);
   add_triangle(5);
   CHECK(components(surface).size() == 1);
-  add_triangle(9);  // has a vertex in common with the square, and no link
+  add_triangle(9);  // has a vertex in common with the square, but no link
   CHECK(components(surface).size() == 2);
 }
 

@@ -1,5 +1,5 @@
-// The table of containers and sample types in the manual of the command. Every cell is a file that
-// an independent program wrote (volumes/write_volumes.py), and holds the same volume.
+// The table of containers and sample types in the manual of the command. For every cell there is a
+// file of an independent program (volumes/write_volumes.py), with the same volume.
 #include <filesystem>
 
 #include "command.hpp"
@@ -16,7 +16,7 @@ const fs::path folder = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "vol
 const std::set<std::string> all_types = {"u8",  "i8",  "u16", "i16", "u32",
                                          "i32", "u64", "i64", "f32", "f64"};
 
-// Containers with the sample types of which there are files.
+// Containers, and the sample types of their files.
 const std::map<std::string, std::set<std::string>> table = {
     {"nrrd", all_types},
     {"nifti1", all_types},
@@ -39,7 +39,7 @@ VolumeOptions frame(std::uint32_t number) {
   return with(&VolumeOptions::frame, number);
 }
 
-// The samples of a file named TYPE-ORDER..., in the volume that all of them hold.
+// The expected samples of a file named TYPE-ORDER..., in the volume of all files.
 void check_file(const std::string& container, const fs::path& file) {
   const std::string called = file.filename().string();
   INFO(container, "/", called);
@@ -58,7 +58,7 @@ void check_file(const std::string& container, const fs::path& file) {
   CHECK(read_all(*reader) == expected);
 }
 
-// The data of another file, which its header names.
+// The data file that a header names.
 bool is_data(const fs::path& file) {
   const std::string extension = file.extension().string();
   return extension == ".raw" || extension == ".img" || contains(file.string(), ".raw.gz");

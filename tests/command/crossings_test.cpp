@@ -10,7 +10,8 @@ namespace {
 
 using namespace sampled_field;
 
-// On the edge from a voxel along an axis, as a field has its samples. Units: half-steps.
+// The crossing on the edge from a voxel along an axis, computed from the formula of the samples.
+// Units: half-steps.
 Point crossing(const Field& field, const Vertex& voxel, std::size_t axis) {
   const Vertex to = {voxel.x + (axis == 0 ? 1 : 0), voxel.y + (axis == 1 ? 1 : 0),
                      voxel.z + (axis == 2 ? 1 : 0)};
@@ -24,7 +25,7 @@ void check_near(const Point& a, const Point& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) CHECK(std::abs(a[axis] - b[axis]) < 1e-6);
 }
 
-// The points around the centroid of a cell, by the facets that have it for a corner.
+// The points around the centroid of a cell, from the facets with a corner there.
 std::set<discmc::CellPoint> around_centroid(discmc::Configuration configuration) {
   std::set<discmc::CellPoint> points;
   for (int i = discmc::facet_table.first[configuration];

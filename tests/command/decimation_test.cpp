@@ -40,7 +40,7 @@ Field cloud(Size size, std::uint32_t seed) {
   });
 }
 
-// Two sheets that are 2 voxels apart, with many handles.
+// Two sheets, 2 voxels apart, with many handles.
 Field gyroid(std::uint32_t size) {
   return field_of({size, size, size}, [](double x, double y, double z) {
     const double u = x / 2.4, v = y / 2.4, w = z / 2.4;
@@ -53,7 +53,7 @@ std::size_t crossing_pairs(const FaceMesh& mesh) {
   return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
-// The figures of all bodies and cavities, the least first.
+// The measures of all bodies and cavities, the smallest first.
 std::vector<double> volumes_of(const FaceMesh& mesh) {
   Sets pieces = connected_faces(sorted_edges(mesh), mesh.face_count());
   std::map<std::uint32_t, double> volumes;
@@ -81,7 +81,7 @@ TEST_CASE("a decimated ball has the triangles that were asked for, its volume an
   const FaceMesh before = all_triangles(ball(40, 16, 4));
   const FaceMesh mesh = decimated(before, {1000});
   CHECK(mesh.face_count() == 1000);
-  CHECK(check_mesh(mesh).closed());
+  CHECK(check_mesh(mesh).is_closed());
   CHECK(crossing_pairs(mesh) == 0);
   CHECK(mesh.lattice.size() == mesh.vertices_mm.size());
   CHECK(volume_of(mesh) == doctest::Approx(volume_of(before)).epsilon(1e-6));
@@ -92,7 +92,7 @@ TEST_CASE("a decimated ball has the triangles that were asked for, its volume an
 TEST_CASE("a larger --max-error never leaves more triangles, and bounds the distance both ways") {
   struct Bounded {
     Field field;
-    double bound;  // of the largest distance, in --max-error: the samples of it are not all points
+    double bound;  // in units of --max-error: the measured distance uses samples, not all points
   };
   const Bounded fields[] = {
       {ball(24, 9, 4), 2.5}, {gyroid(16), 2.5}, {cloud({13, 13, 13}, 5), 3.0}};
@@ -102,7 +102,7 @@ TEST_CASE("a larger --max-error never leaves more triangles, and bounds the dist
     for (const double error : {0.02, 0.05, 0.07, 0.1, 0.15, 0.3, 0.5, 0.8, 1.5, 3.0, 1e9}) {
       const FaceMesh mesh = decimated(before, {0, error});
       CHECK(mesh.face_count() <= faces);
-      CHECK(check_mesh(mesh).closed());
+      CHECK(check_mesh(mesh).is_closed());
       faces = mesh.face_count();
       if (error > 0.5) continue;
       CAPTURE(error);
@@ -139,7 +139,7 @@ TEST_CASE("a decimated mesh stays closed and free of crossings, and each body ke
     const FaceMesh before = all_triangles(cloud({24, 24, 24}, seed));
     for (const std::uint64_t triangles : {1U, 1000U, 3000U}) {
       const FaceMesh mesh = decimated(before, {triangles});
-      CHECK(check_mesh(mesh).closed());
+      CHECK(check_mesh(mesh).is_closed());
       CHECK(crossing_pairs(mesh) <= crossing_pairs(before));
       check_bodies(before, mesh);
       CHECK(mesh.face_count() < before.face_count() / 4);
@@ -167,7 +167,8 @@ TEST_CASE("a coarse body does not swallow a small one beside it") {
   const FaceMesh mesh = decimated(before, {20});
   CHECK(crossing_pairs(mesh) == 0);
   check_bodies(before, mesh);
-  // Each small body is seen whole from the middle of the large one: a ray meets the large one once.
+  // Each small body is fully visible from the middle of the large one, and a ray crosses the large
+  // one once.
   for (const Point& vertex : mesh.vertices_mm) {
     if (outside(vertex[0], vertex[1], vertex[2]) < 14.9 || std::fabs(vertex[1] - 19) > 1) continue;
     double angle = 0;
@@ -195,7 +196,7 @@ TEST_CASE("the long thin triangles of a merged surface are decimated without cro
     const FaceMesh mesh = decimated(before, {400});
     CHECK(mesh.face_count() <= 400);
     CHECK(mesh.face_count() >= 399);
-    CHECK(check_mesh(mesh).closed());
+    CHECK(check_mesh(mesh).is_closed());
     CHECK(crossing_pairs(mesh) == 0);
     check_bodies(before, mesh);
   }
@@ -253,14 +254,14 @@ TEST_CASE("--triangles and --max-error write decimated meshes, interpolated befo
   CHECK(contains(told, "closed                               yes"));
   const FileMesh mesh = command_tests::mesh_of_ply(workshop.read("v.ply"));
   CHECK(mesh.face_count() <= 1000);
-  CHECK(check_mesh(mesh).closed());
+  CHECK(check_mesh(mesh).is_closed());
   CHECK(mesh.normals.size() == mesh.vertices_mm.size());
   workshop.done(
       extract +
       "--triangles 1000 --surface interpolated --tolerance 0 --normals gradient -o same.ply");
   CHECK(workshop.read("same.ply") == workshop.read("v.ply"));
   workshop.done(extract + "--triangles 1000 --surface merged --normals surface -o merged.ply");
-  CHECK(check_mesh(command_tests::mesh_of_ply(workshop.read("merged.ply"))).closed());
+  CHECK(check_mesh(command_tests::mesh_of_ply(workshop.read("merged.ply"))).is_closed());
   workshop.done(extract + "--max-error 0.1 -o v.csv");
   workshop.done(
       "extract v.raw --dims 40,40,40 --type u8 --label 50 --allow-empty --triangles 99 "

@@ -1,5 +1,5 @@
-// Folders of real volumes. Beside each volume is a JSON file of the same name that gives "file"
-// and "iso", a list of thresholds on stored samples.
+// Folders of real volumes. Each volume has a JSON file of the same name with "file" and "iso", a
+// list of thresholds on stored samples.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct DescribedVolume {
   std::vector<int32_t> thresholds;
 };
 
-/// What follows "key": up to the end of the value; the files are flat but for the list.
+/// The value of "key". The files are flat, except for the list.
 inline std::string json_value(const std::string& json, const std::string& key) {
   const size_t at = json.find('"' + key + '"');
   if (at == std::string::npos) return {};
@@ -40,7 +40,7 @@ inline DescribedVolume read_description(const std::filesystem::path& file) {
   return volume;
 }
 
-/// All of a folder, by name.
+/// All volumes of a folder, by name.
 inline std::vector<DescribedVolume> described_volumes(const std::filesystem::path& folder) {
   std::vector<DescribedVolume> volumes;
   for (const auto& entry : std::filesystem::directory_iterator(folder))

@@ -1,5 +1,5 @@
-// DICOM files of a few elements, for tests: written here, byte by byte as the standard has them
-// (PS3.5 and PS3.10).
+// Writes DICOM files of a few elements byte by byte, as the standard defines them (PS3.5 and
+// PS3.10).
 #pragma once
 
 #include <cstdio>
@@ -17,7 +17,7 @@ inline std::string number_bytes(std::uint64_t value, std::size_t size, Order ord
   return bytes;
 }
 
-/// Elements by their tags, as 0x00280010 is (0028,0010).
+/// Elements by their tags. 0x00280010 is (0028,0010).
 class Dataset {
  public:
   Dataset& text(std::uint32_t tag, const std::string& vr, std::string value) {
@@ -49,8 +49,8 @@ class Dataset {
     elements_[tag] = {"SQ", {}, 1, {}, items};
     return *this;
   }
-  /// Samples of `bits` bits, 8 or more; the extents and the other attributes of the format are set,
-  /// too. As words of 16 bits, unless another vr is asked for.
+  /// Samples of `bits` bits, 8 or more. Also sets the extents and the other attributes of the
+  /// format. Words of 16 bits, unless vr is another one.
   Dataset& samples(const std::vector<std::int64_t>& values, std::size_t bits, bool is_signed,
                    const std::string& vr = "") {
     describe_samples(bits, is_signed);
@@ -58,7 +58,7 @@ class Dataset {
     elements_[0x7fe00010] = {vr.empty() ? bits == 8 ? "OB" : "OW" : vr, raw, bits / 8, {}, {}};
     return *this;
   }
-  /// Samples of floating point.
+  /// Floating-point samples.
   Dataset& floats(const std::vector<double>& values, std::size_t bits) {
     describe_samples(bits, false);
     drop(0x00280101).drop(0x00280102).drop(0x00280103).drop(0x7fe00010);
@@ -76,7 +76,7 @@ class Dataset {
         bits == 32 ? "OF" : "OD", raw, bits / 8, {}, {}};
     return *this;
   }
-  /// Samples of one bit, eight in a byte.
+  /// Samples of one bit, eight per byte.
   Dataset& bits(const std::vector<std::uint8_t>& values) {
     describe_samples(1, false);
     std::string packed((values.size() + 7) / 8, '\0');
@@ -84,7 +84,7 @@ class Dataset {
       packed[i / 8] = static_cast<char>(packed[i / 8] | values[i] << i % 8);
     return bytes(0x7fe00010, "OB", packed);
   }
-  /// Compressed samples. offsets: where each frame begins; may be empty.
+  /// Compressed samples. offsets: of the frames; may be empty.
   Dataset& fragments(const std::vector<std::string>& all,
                      const std::vector<std::uint64_t>& offsets = {}) {
     std::string table;
@@ -121,7 +121,7 @@ class Dataset {
     return result;
   }
 
-  /// The bytes of a file. syntax: the UID that it names, or that of the order.
+  /// The bytes of a file. syntax: the UID in its header, or empty for that of the byte order.
   std::string file(Order order = Order::little_endian, const std::string& syntax = "") const {
     Dataset meta;
     const auto storage = elements_.find(0x00080016);
@@ -140,7 +140,7 @@ class Dataset {
   struct Element {
     std::string vr;
     std::vector<std::uint64_t> numbers;
-    std::size_t size;  ///< bytes of a number
+    std::size_t size;  ///< bytes per number
     std::string value;
     std::vector<Dataset> items;
     bool is_of_fragments = false;
@@ -164,7 +164,7 @@ class Dataset {
   std::map<std::uint32_t, Element> elements_;
 };
 
-// ---- the volume that all of them hold ----
+// ---- the volume of all files ----
 
 constexpr int width = 8;
 constexpr int height = 6;
@@ -202,7 +202,8 @@ inline std::string decimals(const std::vector<double>& numbers) {
   return text;
 }
 
-/// The image of one slice or more: 0.5 x 0.75 mm, 2.5 mm apart, at (-10, -20, 100), along the axes.
+/// The image of one or more slices: 0.5 x 0.75 mm, 2.5 mm apart, at (-10, -20, 100), along the
+/// axes.
 inline Dataset image(const std::string& instance, const std::string& modality = "CT") {
   Dataset data;
   data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\AXIAL");
@@ -224,14 +225,14 @@ inline std::vector<double> position(int z) {
   return {-10, -20, 100 + 2.5 * z};
 }
 
-/// Slice z of the volume. instance: the last part of its UID.
+/// Slice z of the volume. instance: the last component of its UID.
 inline Dataset slice(int z, const std::string& instance = "") {
   Dataset data = image(instance.empty() ? std::to_string(z + 1) : instance);
   put_at(data, position(z)).text(0x00200013, "IS", std::to_string(z + 1));
   return data.samples(slice_values(z), 16, true);
 }
 
-/// A file of all slices.
+/// A file with all slices.
 inline Dataset frames(const std::string& modality = "CT") {
   Dataset data = image("9", modality);
   data.text(0x00280008, "IS", std::to_string(depth));

@@ -1,5 +1,4 @@
-// DICOM files with a common placement of their frames: cone beams, doses, nuclear medicine,
-// mosaics.
+// DICOM files with a common placement of all frames: cone beams, doses, nuclear medicine, mosaics.
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -286,8 +285,8 @@ std::string word(std::size_t value) {
 
 using CsaElements = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-// As scanners write it: every element has six items or none. The older kind counts those of the
-// first element into the lengths, and has no name.
+// The header of Siemens scanners: every element has six items or none. The older kind adds the
+// items of the first element to the lengths, and has no name.
 std::string csa_header(const CsaElements& elements, bool is_newer) {
   std::string bytes = (is_newer ? "SV10\4\3\2\1" : "") + word(elements.size()) + word(77);
   const std::size_t of_first = elements[0].second.empty() ? 0 : 6;
@@ -324,7 +323,7 @@ Dataset mosaic(const std::string& header) {
         picture[static_cast<std::size_t>(row * across * width + column)] = value_at(x, y, z);
       }
   Dataset data = image("7", "MR");
-  // The position is that of a picture of the whole size around the centre of the first slice.
+  // The position is that of a picture of the whole size, centred on the first slice.
   put_at(data, {-10 - 0.5 * width, -20 - 0.75 * height, 100});
   data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC").text(0x00180088, "DS", "2.5");
   data.whole(0x00280010, {across * height}).whole(0x00280011, {across * width});

@@ -1,5 +1,5 @@
-// The slices of DICOM in their order: rounded positions, tilted gantries, none at all, and those
-// that the user gives.
+// The order of DICOM slices: rounded positions, tilted gantries, missing positions, and orders that
+// the user gives.
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -11,7 +11,7 @@ using command_tests::contains;
 using discmc::command::SliceOrder;
 using discmc::meshing::Axes;
 
-// A folder of slices. change: what differs in each.
+// A folder of slices. change: sets the differences of each slice.
 class Slices : public Folder {
  public:
   template <class Change>
@@ -96,7 +96,7 @@ TEST_CASE("uneven positions with more decimals are refused, not treated as round
   check_refused(along_z({100, 101, 102.2, 103, 104}).path(), "1 mm apart, but 1.2 mm");
 }
 
-// `count` slices, 2.476 mm apart in the first half, and 2.524 mm in the second.
+// `count` slices: 2.476 mm apart in the first half, 2.524 mm in the second.
 std::string folder_of_growing(const Folder& folder, int count) {
   double place = 100;
   for (int z = 0; z < count; ++z) {
@@ -151,7 +151,7 @@ TEST_CASE("the vertices of a tilted gantry lie where its voxels do") {
   const double tilt = 15 * std::acos(-1.0) / 180;
   const Axes axes = {
       {{0.5, 0, 0}, {0, 0.75 * std::cos(tilt), -0.75 * std::sin(tilt)}, {0, 0, 2.5}}};
-  // One voxel on, (3, 2, 1).
+  // One on voxel, (3, 2, 1).
   const Slices slices([&](Dataset& data, int z) {
     put_at(data, position(z), {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
     std::vector<std::int64_t> values(width * height, 0);
@@ -161,7 +161,7 @@ TEST_CASE("the vertices of a tilted gantry lie where its voxels do") {
   workshop.done("extract '" + slices.path().string() + "' --iso 50 -o v.obj");
   const auto mesh = command_tests::mesh_of_obj(workshop.read("v.obj"));
   CHECK(mesh.vertices_mm.size() == 6);
-  // An octahedron of half a voxel: its volume is that of the cell by 6.
+  // An octahedron of half a voxel, with a sixth of the cell's volume.
   const double cell = 0.5 * 0.75 * std::cos(tilt) * 2.5;
   CHECK(command_tests::volume_of(mesh) == doctest::Approx(cell / 6).epsilon(1e-6));
   discmc::meshing::Point middle{};
@@ -238,7 +238,7 @@ TEST_CASE("a missing spacing is named") {
   CHECK(noted(by_ratio->info(), "PixelAspectRatio is used, and 1 mm assumed along a row"));
 }
 
-// ---- as the user gives it ----
+// ---- the order given by the user ----
 
 VolumeOptions ordered(SliceOrder order) {
   return with(&VolumeOptions::order, order);
@@ -375,7 +375,7 @@ TEST_CASE("the advice for slices without positions and with a UID each leads to 
   workshop.done("extract " + folder + " --iso 0 --merge-series --order name -o v.stl");
 }
 
-// ---- where the files are ----
+// ---- the location of the files ----
 
 TEST_CASE("a DICOMDIR opens its folder") {
   const Slices slices([](Dataset&, int) {});
@@ -386,7 +386,7 @@ TEST_CASE("a DICOMDIR opens its folder") {
     const std::string name = "IM" + std::to_string(7 * z % 5);
     fs::rename(slices.path() / name, slices.path() / "IMAGES" / name);
   }
-  // The class of the file is not in the data of a true one.
+  // The data of a real file does not contain the class of the file.
   const std::string bytes = directory.file();
   for (const std::string name : {"DICOMDIR", "dicomdir.dcm"}) {
     const auto file = slices.write(name, bytes);
@@ -414,7 +414,7 @@ TEST_CASE_FIXTURE(Folder, "slices that are packed one by one are read") {
   CHECK(contains(refusal(path()), "IM2.dcm"));
 }
 
-TEST_CASE("links that lead nowhere are named") {
+TEST_CASE("dangling symbolic links are reported by name") {
   const Slices slices([](Dataset&, int) {});
   fs::create_symlink("/nowhere/IM9", slices.path() / "IM9");
   const auto reader = open_volume(slices.path());

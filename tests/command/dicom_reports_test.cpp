@@ -1,5 +1,5 @@
-// DICOM files as users reported them to other programs: several patients under one UID, stacks in
-// turn, spaces of ultrasound, contradicting headers.
+// DICOM files that users reported to other programs: several patients with one UID, alternating
+// stacks, coordinates of ultrasound, contradicting headers.
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -21,7 +21,7 @@ void write_slices(const Folder& folder, const std::string& prefix, Change change
   }
 }
 
-// A file of frames in functional groups. add: what each frame has.
+// A file of frames in functional groups. add: the items of each frame.
 template <class Add>
 Dataset enhanced(int count, Add add) {
   Dataset measures, shared, orientation;

@@ -1,4 +1,4 @@
-// DICOM in RLE: every type of samples, and data that contradicts itself.
+// DICOM in RLE: every sample type, and contradicting data.
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -28,7 +28,7 @@ std::string packed(const std::string& bytes) {
   return result;
 }
 
-// A frame of these segments. offsets: those of the header, if not the right ones.
+// A frame of these segments. offsets: of the header, if they are to be wrong.
 std::string rle(const Strings& segments, std::vector<std::uint64_t> offsets = {},
                 std::uint64_t count = 0) {
   std::string data;
@@ -44,7 +44,7 @@ std::string rle(const Strings& segments, std::vector<std::uint64_t> offsets = {}
   return header + data;
 }
 
-// The segments of samples: the highest bytes first.
+// The segments of samples, the highest bytes first.
 Strings segments(const std::vector<std::int64_t>& values, std::size_t sample_bytes) {
   Strings result;
   for (std::size_t byte = sample_bytes; byte-- > 0;) {
@@ -81,7 +81,7 @@ TEST_CASE_FIXTURE(Folder, "RLE of 8, 16 and 32 bits is read with and without sig
     for (const bool is_signed : {false, true}) {
       INFO(bits, is_signed);
       std::vector<std::int64_t> values = volume_values();
-      // One value in every second row: runs.
+      // One value in every second row gives runs.
       for (std::size_t i = 0; i < values.size(); ++i) {
         const std::int64_t base = i / width % 2 == 0 ? 100 : values[i] % 100 + 100;
         values[i] =

@@ -37,11 +37,11 @@ Dataset segment(std::uint64_t number, const std::string& name,
 }
 
 struct SegmentSlices {
-  std::uint32_t distance = 0x00180088;  // the element that has it: SpacingBetweenSlices
+  std::uint32_t distance = 0x00180088;  // with SpacingBetweenSlices
   double aside_mm = 0;                  // along x, from slice to slice
 };
 
-// A segmentation whose frames have only their place and their segment.
+// A segmentation whose frames have only a position and a segment.
 Dataset segmentation(const std::string& type, const std::vector<Dataset>& segments,
                      const std::vector<SegmentFrame>& frames, const SegmentSlices& slices = {}) {
   Dataset measures, orientation, shared;
@@ -103,7 +103,7 @@ TEST_CASE_FIXTURE(Folder, "bits of segments are one volume of their numbers, wit
   CHECK(read_all(*reader) == slices_of({box(0, 2, 1, 2), second}));
 }
 
-TEST_CASE_FIXTURE(Folder, "slices that no segment has are empty") {
+TEST_CASE_FIXTURE(Folder, "slices without any segment are empty") {
   const auto file = write("v.dcm", segmentation("BINARY", {segment(3, "Rib")},
                                                 {{3, 4, box(0, 1, 0, 1)}, {3, 1, box(2, 3, 2, 3)}})
                                        .file());
@@ -239,7 +239,7 @@ TEST_CASE_FIXTURE(Folder, "a map of labels is read unchanged, also with a palett
 
 TEST_CASE("colours of segments are those of sRGB from which they were encoded") {
   using discmc::command::srgb_of_cielab;
-  // The colours that DCMTK, and so 3D Slicer, makes of these.
+  // The colours that DCMTK, and therefore 3D Slicer, computes from these.
   CHECK(srgb_of_cielab({34889, 53479, 50166}) == Srgb{255, 0, 0});
   CHECK(srgb_of_cielab({57497, 10747, 54273}) == Srgb{0, 255, 0});
   CHECK(srgb_of_cielab({21168, 53249, 5173}) == Srgb{0, 0, 255});

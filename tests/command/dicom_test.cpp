@@ -1,5 +1,5 @@
-// DICOM files of write_dicom.py, written by other programs. They are ordered by position, decoded,
-// or refused if they hold no volume.
+// DICOM files of write_dicom.py, written by other programs. They are ordered by position and
+// decoded, or refused if they contain no volume.
 #include "command.hpp"
 
 namespace {
@@ -32,7 +32,7 @@ std::string slice(int z) {
   return contents(files / "series" / names[z]);
 }
 
-// A folder with the series, to be changed.
+// A folder with a copy of the series.
 class Series : public Folder {
  public:
   Series() {
@@ -40,7 +40,7 @@ class Series : public Folder {
   }
   void put(int z, const std::string& bytes) const { write(name(z), bytes); }
   void drop(int z) const { fs::remove(path() / name(z)); }
-  /// Changes a text in every slice.
+  /// Replaces a text in every slice.
   void replace(const std::string& old, const std::string& value) const {
     for (int z = 0; z < depth; ++z) put(z, replaced(contents(path() / name(z)), old, value));
   }
@@ -131,7 +131,7 @@ TEST_CASE("lossy JPEG of 8 and 12 bits is close to the original") {
   }
 }
 
-// The bytes of a file whose fragments are in two parts each, without a table of offsets.
+// The bytes of a file whose fragments are in two parts each, without an offset table.
 std::string with_split_fragments(const std::string& bytes) {
   const std::string start = std::string("\xe0\x7f\x10\0OB\0\0\xff\xff\xff\xff", 12);
   const std::string item_tag("\xfe\xff\x00\xe0", 4);
@@ -188,7 +188,7 @@ TEST_CASE_FIXTURE(Folder,
     check_refusal(refused(replaced(bytes, columns, tag('\x11', 2 * width))),
                   "expected 16 x 6 samples of");
   }
-  // Samples of 8 bits in JPEG, and of 16 in the file.
+  // Samples of 8 bits in JPEG, declared as 16 bits.
   const std::string allocated("\x28\0\0\1US\2\0", 8);
   const std::string wide =
       replaced(contents(files / "u8-jpeg.dcm"), allocated + '\x8', allocated + '\x10');
@@ -226,7 +226,7 @@ TEST_CASE("a missing slice is refused with its place") {
   check_refused(series.path(),
                 "1 slice is missing between 102.5 mm (slice2) and 107.5 mm (slice1)");
   series.drop(1);
-  // Two are left on one side, and one on the other.
+  // Two slices are on one side, one on the other.
   check_refused(series.path(),
                 "2 slices are missing between 100 mm (slice0) and 107.5 mm (slice1)");
 }
@@ -245,7 +245,7 @@ TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, 
   for (const std::ptrdiff_t z : {1, 4, 4})
     expected.insert(expected.end(), all.begin() + z * of_slice, all.begin() + (z + 1) * of_slice);
   CHECK(read_all(*reader) == expected);
-  // Far apart: not of slices that were lost, and without end to fill.
+  // The gap is too large for lost slices, and could not be filled.
   series.put(4, replaced(slice(4), place(4), "1100000"));
   check_refused(series.path(), options, "too many to fill");
 }
@@ -273,7 +273,7 @@ TEST_CASE("a gap is a whole number of slices, however many are missing") {
   const Series series;
   series.put(4, replaced(slice(4), place(4), "120.000"));
   CHECK(open_volume(series.path(), options)->info().dims[2] == 9);
-  // 4.92 and 5.04 slices on.
+  // At 4.92 and 5.04 slices.
   for (const std::string along : {"119.800", "120.100"}) {
     series.put(4, replaced(slice(4), place(4), along));
     check_refused(series.path(), options, "2.5 mm apart, but 12.");
@@ -297,7 +297,7 @@ TEST_CASE("one of several series is chosen by its number or UID") {
   const Series series;
   const std::string uid = "1.2.826.0.1.3680043.10.1.1";
   const std::string other = "1.2.826.0.1.3680043.10.1.2";
-  // Only the first occurrence in the SOPInstanceUIDs, which continue behind.
+  // Replaces only the first occurrence, because SOPInstanceUIDs continue after it.
   for (int z = 0; z < depth; ++z) {
     std::string bytes = slice(z);
     for (std::size_t at = bytes.find(uid); at != std::string::npos; at = bytes.find(uid, at))
@@ -397,7 +397,7 @@ TEST_CASE("one slice of a series is a volume, with a hint to its folder") {
 TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
   const Series series;
   series.replace(orientation, "-1.00\\0.000\\0.000\\0.000\\1.000\\0.000");
-  // Seen from the other side: the order is that of decreasing z.
+  // Seen from the other side, the order is that of decreasing z.
   const auto reader = open_volume(series.path());
   CHECK(reader->info().spacing_mm == Spacing{-0.5, 0.75, -2.5});
   REQUIRE(reader->info().placement);
@@ -434,7 +434,7 @@ std::string nested(int levels, bool has_lengths) {
   };
   std::string inner;
   for (int i = 0; i < levels; ++i) {
-    // Within lengths the outermost comes last.
+    // With explicit lengths, the outermost one is written last.
     const std::string item = std::string("\xfe\xff\x00\xe0", 4) + length(inner.size());
     const std::string sequence =
         std::string("\x40\x00\x75\x02SQ\0\0", 8) + length(item.size() + inner.size());

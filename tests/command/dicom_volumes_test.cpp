@@ -1,4 +1,4 @@
-// Several volumes in one series of DICOM: times, echoes, phases, kernels, separated and chosen.
+// Several volumes in one series of DICOM: times, echoes, phases, kernels; separation and selection.
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -17,7 +17,7 @@ constexpr std::uint32_t instance_number = 0x00200013;
 constexpr std::uint32_t inversion_time = 0x00180082;
 constexpr std::uint32_t b_value = 0x00189087;
 
-// Volume `number` of a series: its values are those of the volume and 5000 times the number.
+// Volume `number` of a series. Its values are those of the volume plus 5000 times the number.
 std::vector<std::int64_t> numbered_values(int number) {
   std::vector<std::int64_t> values = volume_values();
   for (std::int64_t& value : values) value += 5000 * number;
@@ -31,7 +31,8 @@ Dataset numbered_slice(int number, int z) {
   return data.samples(values, 16, true);
 }
 
-// A folder with volumes 0 and up. add: puts what differs into a slice, by its number and z.
+// A folder with volumes from 0 on. add: adds the differing elements to a slice, by volume number
+// and z.
 class Volumes : public Folder {
  public:
   template <class Add>
@@ -40,7 +41,7 @@ class Volumes : public Folder {
       for (int z = 0; z < depth; ++z) {
         Dataset data = numbered_slice(number, z);
         add(data, number, z);
-        // In no order.
+        // In arbitrary order.
         write("IM" + std::to_string((7 * z + 3 * number) % 11) + std::to_string(number),
               data.file());
       }
@@ -137,7 +138,7 @@ TEST_CASE("frames count within the series that is chosen") {
   CHECK(read_all(*open_volume(volumes.path(), options)) == as_read(volume_values()));
 }
 
-TEST_CASE("values of echoes that differ in their rounding are one") {
+TEST_CASE("echo times that differ only by rounding are equal") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     data.text(echo_time, "DS",
               std::string(number == 0 ? "4.6" : "9.2") + (z == 2 ? "00000001" : ""));
@@ -198,7 +199,7 @@ TEST_CASE("types of images separate volumes from their first value on, if nothin
 }
 
 TEST_CASE("attributes that vary between slices do not separate volumes") {
-  // Seven volumes of five slices: the values are fewer than the volumes.
+  // Seven volumes of five slices, with fewer values than volumes.
   const Volumes volumes(7, [](Dataset& data, int number, int z) {
     data.text(inversion_time, "DS", std::to_string(100 + z));
     data.text(instance_number, "IS", std::to_string(z + 1));
@@ -245,8 +246,8 @@ TEST_CASE("copies of slices do not count as another time") {
 
 // ---- files of many frames ----
 
-// Two times of all slices, side by side, in one file. has_times: by TemporalPositionIndex, else by
-// DimensionIndexValues alone.
+// Two times of all slices, side by side, in one file. has_times: with TemporalPositionIndex;
+// otherwise only with DimensionIndexValues.
 Dataset enhanced(bool has_times = true) {
   std::vector<Dataset> groups;
   std::vector<std::int64_t> samples;

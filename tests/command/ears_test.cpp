@@ -1,5 +1,5 @@
-// Ears of small rings: triangles that cover the ring once, with their neighbours; no ring that
-// meets itself.
+// Ears of small rings: the triangles cover the ring once, and have the right neighbours. Rings that
+// intersect themselves are refused.
 #include "meshes/ears.hpp"
 
 #include <random>
@@ -17,18 +17,18 @@ struct Cut {
 };
 
 Cut cut(const std::vector<PlanePoint>& ring) {
-  static Ears ears;  // as in a triangulator: used again
+  static Ears ears;  // reused, as in a triangulator
   Cut result;
   result.is_cut = ears.cut(ring, result.triangles, result.pairs);
   return result;
 }
 
-// A ring that sees a point in the middle from everywhere, so that it is simple.
+// A star-shaped ring: a point in the middle sees all of it, so the ring is simple.
 std::vector<PlanePoint> star(std::size_t points, std::minstd_rand& random) {
   std::vector<PlanePoint> ring;
   const std::int64_t corner[] = {1000, 1000, -1000, 1000, -1000, -1000, 1000, -1000};
   for (std::size_t i = 0; i < points; ++i) {
-    // Along the boundary of a square, then nearer to the middle.
+    // Along the boundary of a square, then moved towards the middle.
     const std::size_t side = 4 * i / points;
     const auto along = static_cast<std::int64_t>(4 * i % points);
     const auto all = static_cast<std::int64_t>(points),
@@ -94,13 +94,13 @@ TEST_CASE("a convex ring may begin anywhere, also in the middle of a level side"
 }
 
 TEST_CASE("a ring that meets itself, or has another direction, has no ears") {
-  CHECK_FALSE(cut({{2, 0}, {8, 4}, {0, 4}, {6, 0}, {4, 7}}).is_cut);          // goes round twice
-  CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {9, 4}, {1, 4}}).is_cut);  // crosses
+  CHECK_FALSE(cut({{2, 0}, {8, 4}, {0, 4}, {6, 0}, {4, 7}}).is_cut);          // winds twice
+  CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {9, 4}, {1, 4}}).is_cut);  // crosses itself
   CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}).is_cut);          // touches a side
-  CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 2}, {4, -1}, {0, 2}}).is_cut);         // dips through one
-  CHECK_FALSE(cut({{0, 0}, {4, 2}, {8, 0}, {8, 8}, {4, 2}, {0, 8}}).is_cut);  // touches a point
+  CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 2}, {4, -1}, {0, 2}}).is_cut);  // crosses a side twice
+  CHECK_FALSE(cut({{0, 0}, {4, 2}, {8, 0}, {8, 8}, {4, 2}, {0, 8}}).is_cut);  // touches a corner
   CHECK_FALSE(cut({{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}}).is_cut);          // a spike
-  CHECK_FALSE(cut({{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}}).is_cut);          // stays on a point
+  CHECK_FALSE(cut({{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}}).is_cut);          // repeats a point
   CHECK_FALSE(cut({{0, 4}, {4, 4}, {4, 2}, {4, 0}, {0, 0}}).is_cut);          // clockwise
   CHECK_FALSE(cut({{0, 0}, {1, 0}}).is_cut);
 }

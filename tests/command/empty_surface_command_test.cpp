@@ -1,4 +1,4 @@
-// Thresholds that leave no surface, or select the whole volume: the message has the actual values.
+// Thresholds without a surface, or with the whole volume on: the message has the actual values.
 #include "command.hpp"
 
 namespace {
@@ -48,7 +48,7 @@ TEST_CASE_FIXTURE(Workshop,
       const std::string arguments = "extract v.nrrd " + selection + " -o " + file;
       const Result result = run(arguments);
       INFO(arguments, "\n", result.error);
-      if (result.code == 2) continue;  // what does not go together
+      if (result.code == 2) continue;  // conflicting options
       const bool is_label = selection.find("--label") != std::string::npos;
       const std::string more = is_label ? "; list the labels with discmc info" : values;
       check_failure(result, 1, {"v.nrrd: " + reason + more, "--allow-empty"});

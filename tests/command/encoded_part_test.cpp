@@ -1,4 +1,4 @@
-// The regions of a part as packets, and which of them a join may pass on.
+// The regions of a part as packets, and which packets a join may pass on.
 #include "extraction/encoded_part.hpp"
 
 #include "oracle/stream_samples.hpp"
@@ -11,7 +11,7 @@ using discmc::meshing::EncodedPart;
 
 namespace {
 
-// The stream of a whole that is one part. They are whole regions.
+// The stream of a volume of one part, with whole regions only.
 Bytes stream_of(const Events& regions) {
   EncodedPart part;
   const discmc::StreamHeader header = any_header();
@@ -19,12 +19,12 @@ Bytes stream_of(const Events& regions) {
   start.kind = discmc::Event::Kind::start;
   start.header = &header;
   REQUIRE(part.accept(start) == discmc::SinkResult::accepted);
-  take_all(part, regions);
+  encode_all(part, regions);
   Line line;
   discmc::Encoder encoder;
   REQUIRE(begin_stream(encoder, header, line.output()) == Status::ok);
   part.append_to(encoder);
-  take_all(encoder, Script().finish().events);
+  encode_all(encoder, Script().finish().events);
   return line.bytes;
 }
 

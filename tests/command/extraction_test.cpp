@@ -1,4 +1,4 @@
-// Volumes through the extractor as `extract` takes them: counts, memory, sample types.
+// Volumes extracted as by `extract`: counts, memory, sample types.
 #include "extraction/extraction.hpp"
 
 #include <stdexcept>
@@ -83,7 +83,7 @@ TEST_CASE("the type of the samples makes no difference") {
   const BitVolume volume = discmc::reference::random({8, 8, 8}, 128, 4);
   const Extracted bytes = extracted(volume, options());
   for (const auto& [called, type] : discmc::command::sample_types) {
-    if (type == SampleType::i8) continue;  // has no 150
+    if (type == SampleType::i8) continue;  // lacks the value 150
     const Extracted others = extracted(volume, options(), type);
     CHECK(others.events == bytes.events);
   }
@@ -219,7 +219,7 @@ TEST_CASE("a stream matches a volume if the given extents and spacing do") {
     (axis == 0 ? other.width : axis == 1 ? other.height : other.depth) += 1;
     CHECK(contains(complaint(other), "9x8x7"));
     other = header;
-    other.spacing_nm[axis] += 1;  // rounded another way
+    other.spacing_nm[axis] += 1;  // rounded differently
     CHECK(complaint(other).empty());
     other.spacing_nm[axis] += 1;
     CHECK(contains(complaint(other), "0.5,-2,1.25"));

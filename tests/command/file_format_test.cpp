@@ -1,4 +1,4 @@
-// Formats by the names of files.
+// Formats, by the names of files.
 #include "mesh_files/file_format.hpp"
 
 #include <stdexcept>

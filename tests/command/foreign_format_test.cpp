@@ -1,4 +1,4 @@
-// Files of formats that are not read: each is named, with what makes a readable file of it.
+// Unsupported formats: the message names the format, and a way to convert the file.
 #include "command.hpp"
 
 namespace {

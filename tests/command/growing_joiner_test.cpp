@@ -1,4 +1,4 @@
-// The joiner of the command: it grows as it must, and what has no partner stays loose.
+// The growing joiner of the command. Fragments without a partner remain loose.
 #include "surface/growing_joiner.hpp"
 
 #include "hand_made.hpp"
@@ -15,7 +15,7 @@ using discmc::meshing::SurfaceBuilder;
 using discmc::test::EventLog;
 using discmc::test::Events;
 
-// A scan in so little memory that all of it comes in pieces.
+// A scan with so little memory that everything is sent as fragments.
 Events pieces() {
   const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
   return discmc::test::events_of(volume, discmc::minimum_capacities());
@@ -27,7 +27,7 @@ std::size_t count(const Events& events, Event::Kind kind) {
   return count;
 }
 
-// The events of the first fragment alone.
+// The events of the first fragment only.
 Events first_fragment() {
   Events events = pieces();
   std::size_t first = 0, end = 0;

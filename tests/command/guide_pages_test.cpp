@@ -23,7 +23,7 @@ std::vector<std::string> matches(const std::string& text, const std::string& pat
   return found;
 }
 
-/// From a heading of a page to the next one of its level.
+/// The lines from a heading to the next one of its level.
 std::string section_of(const std::string& page, const std::string& heading) {
   const size_t begin = page.find("\n" + heading + "\n");
   REQUIRE(begin != std::string::npos);
@@ -31,7 +31,7 @@ std::string section_of(const std::string& page, const std::string& heading) {
   return page.substr(begin, page.find("\n" + level, begin + 1) - begin);
 }
 
-/// The sources of the command, with literals that are split over lines put together.
+/// The sources of the command, with adjacent literals joined.
 std::string sources() {
   std::string all;
   for (const char* const port : {"ports/command", "ports/mesh"})
@@ -41,7 +41,7 @@ std::string sources() {
   return std::regex_replace(all, std::regex("\"\\s*\n\\s*\""), "");
 }
 
-/// The fixed words of a message, between the marks for what changes.
+/// The constant words of a message, between its placeholders.
 std::vector<std::string> fixed_words(const std::string& message) {
   const std::string marked = std::regex_replace(message, std::regex("…"), "\n");
   return matches(marked, "[ ;,:]*([^\n]*[^\n ;,:])");
@@ -68,7 +68,7 @@ TEST_CASE("the guide's tables contain only supported volume formats and all mesh
   for (const std::string& row : names)
     for (const std::string& ending : matches(row, "(\\.[a-z0-9]+)")) {
       INFO(ending);
-      if (ending == ".mat") continue;  // known by its first bytes
+      if (ending == ".mat") continue;  // recognised by its first bytes
       const auto* const format = discmc::command::format_of_name("a" + ending);
       REQUIRE(format != nullptr);
       CHECK(discmc::command::is_read(*format));

@@ -1,4 +1,4 @@
-// Small surfaces made by hand for the tests of the command's meshes, files and pictures.
+// Small surfaces, made by hand, for tests of the command's meshes, files and pictures.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using discmc::meshing::Polygon;
 using discmc::meshing::Polygons;
 using discmc::meshing::Ring;
 using discmc::meshing::Surface;
-using Corners = std::vector<Vertex>;  // of a ring that a test may change
+using Corners = std::vector<Vertex>;  // of a ring that a test may modify
 
 inline std::vector<Corners> rings_of(const Polygon& polygon) {
   std::vector<Corners> rings;
@@ -46,14 +46,14 @@ inline Polygons polygon_of(discmc::Incidence incidence, const std::vector<Corner
   return polygons;
 }
 
-// The polygons at these places.
+// The polygons with these numbers.
 inline Polygons only(const Polygons& polygons, const std::vector<std::size_t>& places) {
   Polygons some;
   for (const std::size_t place : places) some.push_back(polygons[place]);
   return some;
 }
 
-// The same polygons, with the rings of each as change(place, rings) leaves them.
+// The same polygons, with the rings of each modified by change(index, rings).
 template <class Change>
 Polygons changed(const Polygons& polygons, Change change) {
   Polygons all;
@@ -65,7 +65,7 @@ Polygons changed(const Polygons& polygons, Change change) {
   return all;
 }
 
-// The ring through these corners in unit steps. Axis links are two half-steps long.
+// The ring through these corners in unit steps. Links along an axis are two half-steps long.
 inline std::vector<Vertex> every_vertex(const Ring& corners) {
   std::vector<Vertex> result;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -94,7 +94,7 @@ inline std::int64_t six_volumes(const Surface& surface) {
   return sum;
 }
 
-// The polygons of a surface as the oracle has them.
+// The polygons of a surface, as regions of the oracle.
 inline std::vector<discmc::reference::Region> regions_of(const Surface& surface) {
   std::vector<discmc::reference::Region> regions;
   for (const Polygon& polygon : surface.polygons) {
@@ -104,7 +104,7 @@ inline std::vector<discmc::reference::Region> regions_of(const Surface& surface)
   return discmc::reference::canonical(std::move(regions));
 }
 
-// A polygon of these rings by their corners, turned as the normal wants it.
+// A polygon of rings of corners, oriented for its normal.
 inline Polygons polygon(const Vertex& normal, std::vector<Corners> rings) {
   for (Corners& ring : rings) {
     std::int64_t area = 0;
@@ -125,7 +125,7 @@ inline Surface octahedron(const Point& spacing_mm = {2, 2, 2}) {
   return surface;
 }
 
-// The four sides of an upright box; `sign` -1 turns them inside out.
+// The four sides of an upright box. `sign` -1 turns them inside out.
 inline void add_sides(Surface& surface, const Vertex& low, const Vertex& high, int sign) {
   for (const bool is_high : {false, true}) {
     const int out = is_high ? sign : -sign;
@@ -161,8 +161,8 @@ struct Pit {
   int column, row;  // 0 to 3
 };
 
-// A block of 16 x 16 x 8 half-steps with pyramid pits in its top. Neighbouring pits touch in a
-// vertex, and pits in the outer columns and rows touch the rim. Each pit takes 32 six-volumes.
+// A block of 16 x 16 x 8 half-steps with pyramidal pits in its top. Neighbouring pits have a common
+// vertex; outer pits touch the rim. Each pit has 32 six-volumes.
 inline Surface pitted_block(const std::vector<Pit>& pits) {
   const Vertex low = {1, 0, 0}, high = {17, 16, 8};
   Surface surface{{2, 2, 2}, {}};
@@ -182,7 +182,7 @@ inline Surface pitted_block(const std::vector<Pit>& pits) {
 }
 
 // A box with half of its front wall leaning back. The straight front side of the bottom belongs to
-// two walls, so that it has a T-junction at (5, 0, 0).
+// two walls, so there is a T-junction at (5, 0, 0).
 inline Surface leaning_wall() {
   Surface surface{{2, 2, 2}, {}};
   auto add = [&surface](const Vertex& normal, const std::vector<Vertex>& corners) {
@@ -199,7 +199,7 @@ inline Surface leaning_wall() {
   return surface;
 }
 
-// A level strip with a saw-tooth side: one open polygon with `count` corners, an odd number.
+// A flat strip with a saw-tooth side: one open polygon with `count` corners, an odd number.
 inline Surface saw(int count) {
   const int last = count - 3;
   std::vector<Vertex> corners;

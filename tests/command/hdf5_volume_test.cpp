@@ -1,6 +1,6 @@
-// HDF5 files of h5py (volumes/write_volumes.py): which of their arrays is the volume, refusals, and
-// skipped slices. The sample types are in container_table_test. Without the library the test is
-// disabled, but compiled.
+// HDF5 files of h5py (volumes/write_volumes.py): the choice of the array, refusals, and skipped
+// slices. container_table_test has the sample types. Without the library the test is disabled, but
+// compiled.
 #if __has_include(<hdf5.h>)
 #include <filesystem>
 #include <thread>
@@ -15,7 +15,7 @@ using namespace volume_files;
 using command_tests::contents;
 using discmc::command::Hdf5Handle;
 
-constexpr H5Z_filter_t counting_filter = 256;  // the first of those for tests
+constexpr H5Z_filter_t counting_filter = 256;  // the first number of filters for tests
 unsigned unpacked_chunks = 0;
 
 std::size_t count_unpacked(unsigned flags, std::size_t, const unsigned*, std::size_t bytes,
@@ -39,7 +39,7 @@ Hdf5Handle chunks_of(const std::array<hsize_t, 3>& chunk) {
   return creation;
 }
 
-// A dataset of zeros, until others are written.
+// A dataset of zeros, until samples are written.
 Hdf5Handle new_dataset(const Hdf5Handle& file, const char* path, const std::vector<hsize_t>& sizes,
                        const Hdf5Handle& creation, hid_t type = H5T_STD_U8LE) {
   const Hdf5Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
@@ -69,7 +69,7 @@ void write_texts(const Hdf5Handle& object, const char* name,
   REQUIRE(H5Awrite(attribute.id(), type.id(), all.data()) >= 0);
 }
 
-// Takes all its samples from a dataset of another file.
+// Maps all its samples to a dataset of another file.
 void write_virtual(const fs::path& file, const char* source) {
   constexpr hsize_t sizes[] = {4, 3, 5};
   const Hdf5Handle space(H5Screate_simple(3, sizes, nullptr), H5Sclose);
@@ -78,8 +78,8 @@ void write_virtual(const fs::path& file, const char* source) {
   new_dataset(new_file(file), "volume", {4, 3, 5}, creation);
 }
 
-// Four slices in two layers of four chunks, more than the library keeps by itself (1 MiB), in a
-// filter that counts.
+// Four slices in two layers of four chunks, with a counting filter. The chunks exceed the library's
+// cache (1 MiB).
 void write_counted(const fs::path& file) {
   const H5Z_class2_t filter = {H5Z_CLASS_T_VERS, counting_filter, 1,       1,
                                "counting",       nullptr,         nullptr, count_unpacked};
@@ -148,7 +148,7 @@ TEST_CASE("an array that cannot be unpacked or has scales of its own is refused 
   check_refused(files / "hdf5_arrays/minc.h5", "mnc2nii");
 }
 
-// Skipped unless Python has both modules; on Debian python3-hdf5plugin and hdf5-filter-plugin.
+// Skipped unless Python has both modules: on Debian, python3-hdf5plugin and hdf5-filter-plugin.
 TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that it is read") {
   const command_tests::Workshop workshop;
   if (workshop.shell("/usr/bin/python3 -c 'import h5py, hdf5plugin'").code != 0) {
@@ -189,13 +189,12 @@ TEST_CASE_FIXTURE(Hdf5File, "names of a file in a remedy are quoted, so that a s
   check_refused(file, "')['NAME'][()]");
 }
 
-// An LZF stream with each kind of part, including the long one and one that overlaps its own
-// output.
+// An LZF stream with every kind of part, including a long one and one that overlaps its own output.
 std::string lzf_of_runs() {
-  const std::string literal("\3\1\2\3\4", 5);  // four that stand for themselves
-  const std::string again("\x20\x03", 2);      // three of them, from four back
-  const std::string run("\xe0\x0c\0", 3);      // 21 times the last one
-  const std::string far("\x60\x1b", 2);        // five of them, from 28 back
+  const std::string literal("\3\1\2\3\4", 5);  // four literals
+  const std::string again("\x20\x03", 2);      // three bytes, copied from four bytes before
+  const std::string run("\xe0\x0c\0", 3);      // 21 times the last byte
+  const std::string far("\x60\x1b", 2);        // five bytes, copied from 28 bytes before
   return literal + again + run + far;
 }
 
@@ -203,7 +202,7 @@ TEST_CASE_FIXTURE(Hdf5File, "LZF of h5py is unpacked, and damaged LZF is refused
   check_volume(files / "hdf5/i16-big-lzf.h5", SampleType::i16, "HDF5, /volume, shuffle, lzf");
   constexpr hsize_t size = 33;
   const auto write = [&](const std::string& packed) {
-    H5Zunregister(32000);  // which is only there to read, and the library would refuse the dataset
+    H5Zunregister(32000);  // it only reads, and prevents writing
     const Hdf5Handle creation = chunks_of({1, 1, size});
     H5Pset_filter(creation.id(), 32000, H5Z_FLAG_OPTIONAL, 0, nullptr);
     const Hdf5Handle opened = new_file(file);
@@ -438,7 +437,7 @@ void write_numbers(const Hdf5Handle& object, const char* name, const std::vector
   REQUIRE(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, numbers.data()) >= 0);
 }
 
-// Coordinates of each axis, as NetCDF has them.
+// Coordinates of each axis, as in NetCDF.
 struct Scale {
   const char* name;
   std::vector<double> coordinates;
@@ -714,7 +713,7 @@ TEST_CASE_FIXTURE(Folder,
   }
 }
 
-// An image of VTK with an array of zeros, and with the marks of ghosts.
+// An image of VTK with an array of zeros, and with ghost marks.
 void write_vtk(const fs::path& file, const char* type, const std::vector<double>& extent,
                const char* array, const std::vector<hsize_t>& sizes, bool has_times = false) {
   const Hdf5Handle opened = new_file(file);

@@ -19,7 +19,7 @@ Histogram histogram_of(SampleType type, const std::vector<Sample>& samples) {
   return histogram;
 }
 
-// The ends of the type and some between, each a different number of times.
+// The limits of the type and some values between, each a different number of times.
 template <class Sample>
 std::vector<Sample> few_samples() {
   using Limits = std::numeric_limits<Sample>;

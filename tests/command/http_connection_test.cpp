@@ -1,4 +1,4 @@
-// Requests to the server of discmc view --serve: how they are parsed, and how much is read.
+// Requests to the server of discmc view --serve: parsing, and the number of bytes read.
 #include "pages/http_connection.hpp"
 
 #include <sys/socket.h>
@@ -25,7 +25,7 @@ class Client {
 
   int server() const { return ends_[1]; }
 
-  // Returns how much was sent before the server closed.
+  // Returns the number of bytes sent before the server closed the connection.
   std::size_t send(std::string_view bytes, std::size_t piece = std::string_view::npos) const {
     std::size_t sent = 0;
     while (sent < bytes.size()) {
@@ -41,7 +41,7 @@ class Client {
   std::array<int, 2> ends_{};
 };
 
-// How a server takes a request, and how much of it the client could send.
+// The server's result for a request, and the number of bytes that the client could send.
 struct Exchange {
   HttpRequest request;
   std::size_t sent;

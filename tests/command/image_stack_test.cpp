@@ -1,4 +1,4 @@
-// Stacks of pictures, which write_pictures.py wrote by other programs.
+// Stacks of pictures that write_pictures.py wrote by other programs.
 #include "command.hpp"
 
 namespace {
@@ -126,7 +126,7 @@ TEST_CASE_FIXTURE(Folder, "JPEG is read, and a channel of a colour JPEG") {
   CHECK(near(read_all(*grey), 0) < 4);
   CHECK(near(read_all(*open_volume(files / "colours.jpg", of_channel(2))), 2) < 16);
   check_refused(files / "colours.jpg", "3 channels");
-  // The library would fill a truncated picture with grey.
+  // Otherwise the library would fill a truncated picture with grey.
   const std::string bytes = contents(files / "u8.jpg");
   for (const std::size_t cut : {2U, 10U, 60U})
     check_refused(write("v.jpg", bytes.substr(0, bytes.size() - cut)),

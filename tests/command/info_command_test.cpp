@@ -1,4 +1,4 @@
-// discmc info of volumes, and how it distinguishes them from streams.
+// discmc info for volumes, and the distinction between volumes and streams.
 #include "command.hpp"
 
 namespace {
@@ -96,7 +96,7 @@ TEST_CASE_FIXTURE(Workshop,
   CHECK(has_line(mri, "not_numbers 1"));
   const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/";
   const Result dicom = run("info " + series + "u16.dcm");
-  if (dicom.code == 0) CHECK(contains(dicom.out, " bone: "));  // where it is built with DICOM
+  if (dicom.code == 0) CHECK(contains(dicom.out, " bone: "));  // if built with DICOM
 }
 
 TEST_CASE_FIXTURE(Workshop, "info of a volume without finite values prints no values") {

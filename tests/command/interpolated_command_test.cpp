@@ -43,7 +43,7 @@ TEST_CASE_FIXTURE(Ball, "an interpolated surface is written unchanged in every f
 TEST_CASE_FIXTURE(Ball, "a relaxed surface is the same of a volume and of its streams") {
   done(extract + "--surface relaxed --tolerance 0 -o v.obj");
   const FaceMesh relaxed = mesh_of_obj(read("v.obj"));
-  CHECK(check_mesh(relaxed).closed());
+  CHECK(check_mesh(relaxed).is_closed());
   done(extract + "--tolerance 0 --surface interpolated -o interpolated.obj");
   CHECK(relaxed.vertices_mm != mesh_of_obj(read("interpolated.obj")).vertices_mm);
   const auto sorted = [](auto vertices) {
@@ -57,7 +57,7 @@ TEST_CASE_FIXTURE(Ball, "a relaxed surface is the same of a volume and of its st
     CHECK(sorted(decoded.vertices_mm) == sorted(relaxed.vertices_mm));
     CHECK(decoded.normals.size() == decoded.vertices_mm.size());
   }
-  // The picture is that of the mesh, whatever it is of.
+  // The picture is that of the mesh, for every input.
   done("render v.dmc --surface relaxed -o stream.png");
   done("render v.raw --dims 14,14,14 --type u8 --iso 50 --surface relaxed -o volume.png");
   done("render v.dmc -o merged.png");
@@ -78,7 +78,7 @@ TEST_CASE_FIXTURE(Ball,
     CHECK(read("v.obj") == read("plain.obj"));
     done("decode v.dmc --surface interpolated --tolerance 0 -o v.obj");
     const FaceMesh mesh = mesh_of_obj(read("v.obj"));
-    CHECK(check_mesh(mesh).closed());
+    CHECK(check_mesh(mesh).is_closed());
     const double farthest = discmc::meshing::distances(mesh, exact).largest;
     CHECK(farthest < 0.75 * farthest_of_less);
     farthest_of_less = farthest;
@@ -109,7 +109,7 @@ TEST_CASE_FIXTURE(
     return command_tests::contains(run(arguments).error, "two values");
   };
   CHECK(!warns(masked));
-  // A third value, in the last slice alone: above the others, or between them.
+  // A third value, only in the last slice: above the others, or between them.
   for (const char third : {'\2', '\5'}) {
     std::string samples = mask;
     std::replace(samples.begin(), samples.end(), '\1', '\3');

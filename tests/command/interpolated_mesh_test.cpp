@@ -1,4 +1,4 @@
-// Merged polygons with their vertices moved to the crossings of the samples.
+// Merged polygons with vertices moved to the crossings of the samples.
 #include "command.hpp"
 #include "meshes/intersections.hpp"
 #include "meshes/mesh.hpp"
@@ -20,7 +20,7 @@ double distance_to(const FileMesh& mesh, const Point& point) {
   return std::sqrt(nearest);
 }
 
-// The farthest that a crossing of the samples is from the mesh.
+// The maximum distance of a crossing of the samples from the mesh.
 double farthest_crossing(const Field& field, const FileMesh& mesh) {
   double farthest = 0;
   for (const Point& vertex : classic(field).vertices_mm)
@@ -28,7 +28,7 @@ double farthest_crossing(const Field& field, const FileMesh& mesh) {
   return farthest;
 }
 
-// One voxel thick, in terraces, and mostly just above the threshold: two sheets, very near.
+// One voxel thick, with terraces, mostly just above the threshold: two sheets, very close.
 Field plate(std::uint32_t seed) {
   discmc::test::Chance chance(seed);
   return field_of({20, 20, 8}, [&](double x, double, double z) {
@@ -41,7 +41,7 @@ std::size_t intersections_of(const FileMesh& mesh) {
   return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
-// A crossing next to a voxel keeps off it.
+// A crossing next to a voxel keeps a distance from it.
 constexpr double margin = Crossings::margin / 2 + 1e-6;
 
 }  // namespace
@@ -68,7 +68,7 @@ TEST_CASE("an interpolated mesh is closed and faces outside for axes in either d
     for (const Point& spacing : {Point{1, 1, 1}, Point{0.5, -2, 3}, Point{-1, -1, -1}})
       for (const double tolerance : {0.0, 0.05, 0.25, 2.0}) {
         const FileMesh mesh = interpolated(extracted(field, SampleType::u8, spacing), tolerance);
-        CHECK(check_mesh(mesh).closed());
+        CHECK(check_mesh(mesh).is_closed());
         CHECK(volume_of(mesh) > 0);
         CHECK(mesh.lattice.size() == mesh.vertices_mm.size());
         CHECK(mesh.polygons.size() == mesh.face_count());
@@ -84,7 +84,7 @@ TEST_CASE("triangles intersect only where the interpolated surface does") {
       CHECK(intersections_of(mesh) <= own);
       CHECK(std::set<std::uint32_t>(mesh.corners.begin(), mesh.corners.end()).size() ==
             mesh.vertices_mm.size());
-      CHECK(check_mesh(mesh).closed());
+      CHECK(check_mesh(mesh).is_closed());
     }
   }
 }

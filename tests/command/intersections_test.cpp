@@ -1,4 +1,4 @@
-// Faces that intersect.
+// Intersecting faces.
 #include "meshes/intersections.hpp"
 
 #include "meshes/box_tree.hpp"
@@ -12,7 +12,7 @@ using discmc::test::Chance;
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
-// corners: three a face.
+// corners: three per face.
 FaceMesh mesh_of(std::vector<Point> vertices, std::vector<std::uint32_t> corners) {
   FaceMesh mesh;
   mesh.vertices_mm = std::move(vertices);
@@ -93,7 +93,7 @@ TEST_CASE("if some faces are wanted, the pairs found are those of all that have 
   }
 }
 
-TEST_CASE("a box holds its triangle, as near as its bounds can be") {
+TEST_CASE("a box contains its triangle, as closely as its bounds allow") {
   const Corners triangle = {{{0.1, -0.1, 1e9 + 1}, {0.7, -0.7, 1e-9}, {1.0 / 3, -1.0 / 3, 0}}};
   const Box box(triangle);
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -9,7 +9,7 @@ using namespace volume_files;
 using discmc::command::read_label_table;
 using discmc::command::Srgb;
 
-// By their first value.
+// The rows by their first value.
 using Labels = std::map<std::int64_t, discmc::command::LabelDescription>;
 
 Labels table_of(const std::string& text) {

@@ -8,13 +8,13 @@ using namespace command_tests;
 
 const std::string extract = "extract v.raw --dims 4,2,3 --type u8 --spacing 1,1,1 ";
 
-// A body of 1, one of 2 in two places, and a voxel of 9.
+// A body of label 1, two bodies of label 2, and a voxel of label 9.
 const std::string volume("\1\1\0\2\1\1\0\0\1\1\0\0\0\0\0\0\0\0\x9\2\0\0\0\2", 24);
 
-// A body of 1, where the first layer has others.
+// A body of label 1 at voxels that have other labels in the first layer.
 const std::string second_layer("\0\0\1\1\0\1\1\0\0\0\1\1\0\1\1\0\0\0\0\0\0\0\0\0", 24);
 
-// Both as layers of one segmentation: a list is the first axis.
+// Both volumes as layers of one segmentation. A list is the first axis.
 std::string layered() {
   std::string samples;
   for (std::size_t i = 0; i < volume.size(); ++i) samples += {volume[i], second_layer[i]};
@@ -152,7 +152,7 @@ TEST_CASE_FIXTURE(Workshop,
   CHECK(layer("Skin") == alone("w.raw", "1"));
   CHECK(layer("skin") == alone("w.raw", "1"));
   CHECK(layer("9") == alone("v.raw", "9"));
-  // In the place that the file gives.
+  // In the space of the file.
   const FileMesh skin = mesh_of_ply(read("Skin.ply"));
   for (const Point& vertex : skin.vertices_mm) CHECK(vertex[2] >= 39);
   std::string both = volume;
@@ -164,7 +164,7 @@ TEST_CASE_FIXTURE(Workshop,
   CHECK(read("some-Skin.ply") == read("Skin.ply"));
   CHECK(read("some-Tee_th.ply") == read("Tee_th.ply"));
   CHECK(read("some-Bone.ply").empty());
-  // One layer is read as before.
+  // A file with one layer is read as before.
   CHECK(contains(done("extract layers.seg.nrrd --labels all --frame 1 -o 'f-{name}.ply'"),
                  "f-Skin.ply"));
   CHECK(read("f-Bone.ply").empty());
@@ -251,7 +251,7 @@ TEST_CASE_FIXTURE(Workshop,
       CHECK(read("v.stl") == read("w.stl"));
       CHECK(contains(done("info v.nii"), "label 2 right lung\n"));
     }
-  // Another extension is ignored, and the samples are where they were.
+  // Another extension is ignored, and the samples remain at their offset.
   std::string cut = nifti(false, {{0, xml}});
   cut[352] = '\x7f';
   cut[354] = '\x7f';
@@ -319,7 +319,7 @@ TEST_CASE_FIXTURE(Workshop,
   refused(nifti().dims({3, 2, 4, 3}).file(second_layer), "has 2 x 4 x 3 voxels, and 'a.nii' 4 x 2");
   refused(nifti().real(80, 2).file(second_layer), "the mask lies elsewhere than 'a.nii'");
   refused(nifti().scale(0.5F, 0).file(second_layer), "the value 0.5 in slice 0 is no label");
-  // A single file is read as such.
+  // A single file is read as a volume.
   REQUIRE(shell("rm seg/a.nii").code == 0);
   write("seg/b.nii", nifti().file(volume));
   CHECK(contains(done("extract seg --labels all -o v.glb"), "  9\n"));

@@ -17,8 +17,8 @@ using sample_reader::SampleReader;
 
 constexpr Size size = {19, 7, 23};
 
-// Blobs and single voxels of the labels -2 to 3, each of them away from some of the slices: for
-// one, two, three or many.
+// Bodies and single voxels of the labels -2 to 3. Each label is absent from one, two, three or many
+// slices in sequence.
 std::vector<int> labels(std::uint32_t seed) {
   std::mt19937 random(seed);
   const std::uint32_t rows = size.width * size.height;
@@ -36,14 +36,14 @@ std::vector<int> labels(std::uint32_t seed) {
 }
 
 discmc::meshing::Surface surface_of(int label, std::uint32_t seed, Border border,
-                                    bool takes_majority, SampleType type) {
+                                    bool filters_by_majority, SampleType type) {
   SampleReader reader(size, labels(seed), {1, 2, 3}, type);
   discmc::meshing::SurfaceBuilder builder;
   discmc::command::ExtractionOptions options;
   const double value = label;
   options.selection = {value, value};
   options.border = border;
-  options.takes_majority = takes_majority;
+  options.filters_by_majority = filters_by_majority;
   extract(reader, options, discmc::make_sink(builder));
   return builder.surface();
 }
@@ -58,18 +58,18 @@ std::vector<LabelledSurface> extracted(const std::vector<int>& samples, Size ext
 
 TEST_CASE("the surface of every label is that of a scan for it alone") {
   for (const Border border : {Border::closed, Border::open})
-    for (const bool takes_majority : {false, true})
+    for (const bool filters_by_majority : {false, true})
       for (std::uint32_t seed = 0; seed < 20; ++seed) {
         CAPTURE(seed);
         const SampleType type = seed % 2 == 0 ? SampleType::i16 : SampleType::i64;
         SampleReader reader(size, labels(seed), {1, 2, 3}, type);
-        const auto all = extract_labels(reader, {border, takes_majority, {}, {}});
+        const auto all = extract_labels(reader, {border, filters_by_majority, {}, {}});
         REQUIRE(all.size() == 5);
         for (std::size_t i = 0; i < all.size(); ++i) {
           const int label = std::vector<int>{-2, -1, 1, 2, 3}[i];
           CHECK(all[i].label == LabelValue(label));
           CHECK(all[i].surface.spacing_mm == discmc::meshing::Point{1, 2, 3});
-          const auto alone = surface_of(label, seed, border, takes_majority, type);
+          const auto alone = surface_of(label, seed, border, filters_by_majority, type);
           CHECK(discmc::reference::describe_difference(hand_made::regions_of(all[i].surface),
                                                        hand_made::regions_of(alone)) == "");
         }

@@ -1,4 +1,4 @@
-// Units of length as files spell them.
+// Units of length as spelled in files.
 #include "volumes/declared_place.hpp"
 
 #include "test.hpp"

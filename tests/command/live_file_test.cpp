@@ -1,4 +1,4 @@
-// Pipes that several read from the beginning.
+// Pipes with several readers, each from the beginning.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@ namespace {
 
 using discmc::command::LiveFile;
 
-// A named pipe and its writer.
+// A named pipe, and a thread that writes to it.
 class Pipe {
  public:
   Pipe() { REQUIRE(mkfifo(path().c_str(), 0600) == 0); }
@@ -31,13 +31,13 @@ class Pipe {
   int descriptor_ = -1;
 };
 
-// Reads nothing, and is soon gone.
+// Opens the pipe, and closes it without reading.
 class Gone : public std::streambuf {
  protected:
   int sync() override { return -1; }
 };
 
-TEST_CASE("every reader gets all, however late") {
+TEST_CASE("every reader of a pipe receives all bytes, however late") {
   Pipe pipe;
   LiveFile live(pipe.path());  // there is no writer yet
   std::ostringstream early, late;

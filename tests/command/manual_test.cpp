@@ -11,7 +11,7 @@ bool has(const Workshop& workshop, const std::string& program) {
   return workshop.shell("command -v " + program).code == 0;
 }
 
-// The names of options, by the lines of a help that begin with them.
+// The names of options, from the lines of a help that begin with them.
 std::vector<std::string> options_of(const std::string& help) {
   std::vector<std::string> names;
   std::istringstream lines(help);
@@ -34,7 +34,7 @@ std::vector<std::string> commands_of(const std::string& help) {
   return names;
 }
 
-// An option in a page of troff, in bold and with dashes instead of hyphens.
+// An option in a page of troff: bold, with dashes instead of hyphens.
 std::string bold(const std::string& text) {
   std::string troff = "\\fB";
   for (const char letter : text) troff += letter == '-' ? "\\-" : std::string(1, letter);
@@ -108,7 +108,7 @@ TEST_CASE_FIXTURE(Workshop, "programs that show manuals accept the page without 
     std::istringstream lines(checked.out);
     for (std::string line; std::getline(lines, line);) {
       INFO(line);
-      CHECK(contains(line, "missing date"));  // it has none, so that builds are reproducible
+      CHECK(contains(line, "missing date"));  // no date, so that builds are reproducible
     }
   }
 }

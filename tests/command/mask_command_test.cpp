@@ -17,7 +17,7 @@ std::string nrrd_of(const std::string& samples, const std::string& sizes = "9 8 
   return volume_files::nrrd(volume_files::nrrd_u8, sizes) + "\n" + samples;
 }
 
-// Noise, and a mask of blocks of 2 x 2 x 2 voxels; as v.raw and m.nrrd.
+// Noise as v.raw, and a mask of blocks of 2 x 2 x 2 voxels as m.nrrd.
 struct Masked : Workshop {
   std::string samples, mask;
 
@@ -56,12 +56,12 @@ TEST_CASE_FIXTURE(Masked,
     CHECK(read("all-" + label) == read("one-" + label));
   const std::string refused = "extract v.nrrd --labels all --mask m.nrrd -o '{name}.stl' ";
   fails(refused + "--median 3", 2, {"grow labels over the mask"});
-  // Values from 1 on: masked voxels become 0, which no sample has.
+  // Values from 1 on. Masked voxels become 0, which no sample has.
   const auto nifti = [] { return volume_files::Nifti().dims({3, 9, 8, 7}); };
   for (char& sample : samples) sample = static_cast<char>(sample - 1);
   write("above.nii", nifti().type(256).scale(1, 1).file(samples));
   for (char& sample : samples) sample = static_cast<char>(sample + 1);
-  // The largest sample, and a half, stand for 0.
+  // The largest sample and one half replace 0.
   std::string floats;
   for (char& sample : samples) {
     floats += volume_files::bytes_of(static_cast<float>(sample) + 0.5F);
@@ -136,8 +136,8 @@ TEST_CASE_FIXTURE(Workshop,
   write("m.nrrd", nrrd_of(mask, "14 14 14"));
   done("extract v.nrrd --mask m.nrrd --iso 50 --surface interpolated -q -o v.obj");
   const FileMesh mesh = mesh_of_obj(read("v.obj"));
-  CHECK(check_mesh(mesh).closed());
-  constexpr double cap = 4.3;  // high, of a ball of 5.3
+  CHECK(check_mesh(mesh).is_closed());
+  constexpr double cap = 4.3;  // the top of a ball of radius 5.3
   CHECK(volume_of(mesh) == doctest::Approx(3.14159 * cap * cap * (5.3 - cap / 3)).epsilon(0.05));
   std::size_t flat = 0;
   for (const Point& vertex : mesh.vertices_mm) {
@@ -173,7 +173,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// An oblique place: the ways to the next voxel, and the first one.
+// An oblique placement: the vectors to the next voxel, and the first voxel.
 const std::array<Vector, 3> axes = {{{0.86, 0.27, 0}, {-0.2, 0.67, 0}, {0, 0, 1.5}}};
 constexpr Vector origin = {10, -20, 30};
 
@@ -188,7 +188,7 @@ std::string nifti_at(const std::array<Vector, 3>& to_next, const Vector& first,
   return nifti.file(samples);
 }
 
-// The same mask with axis i along axis order[i] of the volume, or against it.
+// The same mask, with axis i along axis order[i] of the volume, possibly reversed.
 std::string turned(const std::string& mask, const std::array<std::size_t, 3>& order,
                    unsigned against, double moved = 0) {
   const std::array<int, 3> whole = {9, 8, 7};

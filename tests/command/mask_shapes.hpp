@@ -1,5 +1,5 @@
-// Masks of small shapes, on which smoothing is measured: balls, rods, sheets, necks, tunnels,
-// shells.
+// Masks of small shapes for measuring the accuracy of smoothing: balls, rods, sheets, necks,
+// tunnels, shells.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@ struct Shape {
   std::array<std::uint32_t, 3> dims;
   Point spacing_mm;
   std::vector<int> samples;  ///< 1 inside, 0 outside
-  /// The exact shape's vector along the normal at a point near its surface. Empty if none is known,
-  /// zero where there is none.
+  /// Returns the vector along the exact shape's normal at a point near its surface. Empty if
+  /// unknown; zero where the shape has no normal.
   std::function<Point(const Point&)> normal{};
 
   double volume_mm3() const {
@@ -34,7 +34,7 @@ struct Shape {
   }
 };
 
-/// Called with the millimetres from the middle of the volume.
+/// The argument is the position relative to the middle of the volume. Units: millimetres.
 using Inside = std::function<bool(const Point&)>;
 
 inline Shape shape_of(const std::string& name, const std::array<std::uint32_t, 3>& dims,
@@ -149,7 +149,7 @@ inline Shape slope() {
       });
 }
 
-/// All 24.
+/// All 24 shapes.
 inline std::vector<Shape> all() {
   std::vector<Shape> shapes = {box("1 voxel", {1, 1, 1}), box("2 x 2 x 2", {2, 2, 2})};
   const Point away = {0.13, -0.21, 0.07}, cubes = {1, 1, 1}, long_voxels = {0.8, 0.8, 3};

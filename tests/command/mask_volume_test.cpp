@@ -1,4 +1,4 @@
-// Masks: which voxels they keep, and whether they lie where their volume does.
+// Masks: the voxels that they keep, and whether they match the placement of their volume.
 #include "volumes/filters/filters.hpp"
 
 #include "volume_files.hpp"
@@ -33,14 +33,14 @@ TEST_CASE("a mask selects values that are numbers other than 0") {
   std::vector<double> all_but_first(60, 1);
   all_but_first[0] = 0;
   CHECK(mask_of(Nifti().file(stored(SampleType::u8))) == all_but_first);
-  // Sample 30 of f32 is 0; here two more are not a number.
+  // Sample 30 of f32 is 0. Here two more are NaN.
   std::string samples = stored(SampleType::f32);
   samples.replace(4, 4, "\xff\xff\xff\x7f");
   samples.replace(8, 4, "\xff\xff\xff\xff");
   std::vector<double> expected(60, 1);
   expected[1] = expected[2] = expected[30] = 0;
   CHECK(mask_of(Nifti().type(16).integer(72, 2, 32).file(samples)) == expected);
-  // The scaled value counts, which is 0 at sample 8.
+  // The scaled value is decisive: it is 0 at sample 8.
   std::vector<double> all_but_third(60, 1);
   all_but_third[2] = 0;
   CHECK(mask_of(Nifti().scale(0.5F, -4).file(stored(SampleType::u8))) == all_but_third);
@@ -55,7 +55,7 @@ TEST_CASE_FIXTURE(Folder, "a mask of several volumes is refused for any frame of
 }
 
 TEST_CASE("a mask is cropped like its volume, and shrinks by the majority of a block") {
-  // All labels differ: 0 is the most frequent in the second block, but most of the block is on.
+  // All labels differ. 0 is the most frequent in the second block, but most of the block is on.
   std::string labels = stored(SampleType::u8);
   for (const std::size_t off : {1U, 2U, 3U, 8U}) labels[off] = '\0';
   VolumeOptions options;
@@ -91,7 +91,7 @@ TEST_CASE("a displaced mask is detected if both files have a placement") {
   CHECK(offset("", "") == 0);
   CHECK(offset("space: LPS\n" + directions + "space origin: (13,20,26)\n", lps) == 5);
   CHECK(offset("space: LPS\n" + directions + "space origin: (10.05,20,30)\n", lps) == 0);
-  // The same place in the other space.
+  // The same position in the other space.
   CHECK(offset("space: RAS\nspace directions: (-1,0,0) (0,-2,0) (0,0,3)\n"
                "space origin: (-10,-20,30)\n",
                lps) == 0);

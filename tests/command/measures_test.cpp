@@ -1,4 +1,4 @@
-// The measures of surfaces, alone and as files: extract -o FILE.csv.
+// The measures of surfaces, computed and as files: extract -o FILE.csv.
 #include "meshes/measures.hpp"
 
 #include <sstream>
@@ -21,7 +21,7 @@ void fill(BitVolume& volume, const Vertex& first, const Vertex& last, std::uint8
       for (int x = first.x; x <= last.x; ++x) volume.on[volume.index(x, y, z)] = on;
 }
 
-// A block with a cavity, and a smaller one beside it.
+// A block with a cavity, and a smaller block beside it.
 BitVolume two_blocks() {
   BitVolume volume({30, 20, 20});
   fill(volume, {2, 3, 4}, {13, 14, 15}, 1);
@@ -102,7 +102,7 @@ TEST_CASE("extract and decode write measures in place of meshes, a line per labe
   CHECK(command_tests::contains(workshop.read("decoded.csv"), ",2,1,"));
 }
 
-// The last column of the row with a name.
+// The last column of the row with this name.
 static std::string voxels_of(const std::string& rows, const std::string& name) {
   const std::size_t begin = rows.find("\n" + name + ",");
   if (begin == std::string::npos) return {};

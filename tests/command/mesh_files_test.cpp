@@ -17,7 +17,7 @@ namespace {
 using namespace discmc::command;
 using namespace hand_made;
 
-// A stream that accepts a number of bytes and then no more.
+// A stream that accepts this many bytes, then fails.
 class Full : public std::streambuf {
  public:
   explicit Full(std::streamsize room) : room_(room) {}
@@ -34,7 +34,7 @@ class Full : public std::streambuf {
   std::streamsize room_;
 };
 
-// A stream that buffers everything and then cannot get rid of it.
+// A stream that buffers everything, then fails to write.
 class Stuck : public std::streambuf {
  protected:
   std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
@@ -190,7 +190,7 @@ TEST_CASE("an STL file reads back, with unit normals that look outside") {
       for (auto& point : corner)
         for (float& coordinate : point) coordinate = bytes.real();
       CHECK(bytes.integer(2) == 0);
-      // The octahedron is around the origin, so the right-hand rule can be checked against it.
+      // The octahedron is around the origin, so the right-hand rule can be tested.
       float outside = 0, product = 0;
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -375,8 +375,8 @@ TEST_CASE("names of any bytes are valid text in JSON and XML") {
   const std::string whole = "\xC3\xA4 \xE2\x82\xAC \xF0\x9D\x84\x9E";
   CHECK(xml_attribute(whole) == whole);
   CHECK(json_string(whole) == "\"" + whole + "\"");
-  // Cut short, out of place, too long, a surrogate, no character, beyond the last one, bytes that
-  // begin none.
+  // Truncated; a continuation byte alone; too long; a surrogate; an invalid character; beyond the
+  // last one; bytes that begin no character.
   for (const std::string bytes :
        {"\xC3", "\xA4", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xEF\xBF\xBF",
         "\xF4\x90\x80\x80", "\xF8\x90\x80\x80", "\xFC\x90\x80\x80", "\xFF", "\xE2\x82"}) {

@@ -83,7 +83,7 @@ void check_extent(const Json& accessor, const std::vector<Point>& points) {
   }
 }
 
-// By a matrix in columns, as the format has it.
+// By a matrix, column by column as in the format.
 Point transformed(const Json& matrix, const Point& point, double w) {
   Point result{};
   for (std::size_t row = 0; row < 3; ++row)
@@ -140,12 +140,12 @@ std::string decoded(const std::string& base64) {
   return bytes;
 }
 
-// The type of an array of a name.
+// The type of an array with this name.
 std::string type_of(const pugi::xml_node& parent, const char* name) {
   return parent.find_child_by_attribute("DataArray", "Name", name).attribute("type").value();
 }
 
-// The array of a name, without the number of bytes before it, which is checked.
+// The values of the array with this name, without the checked number of bytes before them.
 std::string array_of(const pugi::xml_node& parent, const char* name) {
   const pugi::xml_node array = parent.find_child_by_attribute("DataArray", "Name", name);
   CHECK(array.attribute("format").value() == std::string("binary"));
@@ -178,7 +178,7 @@ std::vector<std::uint32_t> integers_of(const pugi::xml_node& parent, const char*
   return integers;
 }
 
-// The same at every point.
+// The same value at every point.
 discmc::command::Srgb colour_of(const pugi::xml_node& parent, const char* name) {
   CHECK(type_of(parent, name) == "UInt8");
   const std::string bytes = array_of(parent, name);
@@ -198,7 +198,7 @@ discmc::command::MeshUnit unit_of(const std::string& name) {
   return units.at(name);
 }
 
-// From linear light, as the format has it.
+// From linear light, as in the format.
 discmc::command::Srgb srgb_of(const Json& factor) {
   discmc::command::Srgb colour{};
   for (std::size_t i = 0; i < colour.size(); ++i) {
@@ -259,7 +259,7 @@ FileMesh mesh_of_object(const pugi::xml_node& resources, const pugi::xml_node& o
   return mesh;
 }
 
-// A surface of nothing has none.
+// An empty surface has none.
 FileMesh only_mesh(const std::vector<FileMesh>& meshes) {
   CHECK(meshes.size() <= 1);
   return meshes.empty() ? FileMesh{} : meshes[0];

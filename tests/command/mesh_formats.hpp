@@ -1,5 +1,5 @@
-// Meshes from GLB, 3MF and VTP files, read with libraries for their JSON, XML and ZIP. What a file
-// must have and lacks fails the test.
+// Reads meshes from GLB, 3MF and VTP files, with libraries for JSON, XML and ZIP. If a mandatory
+// part of a file is missing, the test fails.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace command_tests {
 
-/// Brought from the metres of the file, y upwards, to millimetres, z upwards.
+/// Converts metres, y upwards, to millimetres, z upwards.
 std::vector<discmc::command::FileMesh> meshes_of_glb(const std::string& bytes);
 discmc::command::FileMesh mesh_of_glb(const std::string& bytes);
 
-/// Also checks that the parts of the package find each other.
+/// Also checks that the parts of the package refer to each other.
 std::vector<discmc::command::FileMesh> meshes_of_3mf(const std::string& bytes);
 discmc::command::FileMesh mesh_of_3mf(const std::string& bytes);
 
-/// With the colour of its points, where they have one.
+/// With the colours of points, if the file has them.
 discmc::command::FileMesh mesh_of_vtp(const std::string& bytes);
 
 }  // namespace command_tests

@@ -24,7 +24,7 @@ double six_volumes(const FaceMesh& mesh) {
   return sum;
 }
 
-// The faces of each polygon have its area, and so its normal.
+// The faces of each polygon have its area, and therefore its normal.
 void check_areas(const Surface& surface, const FaceMesh& mesh) {
   std::vector<Point> missing;
   for (const Polygon& polygon : surface.polygons) {
@@ -42,7 +42,7 @@ void check_areas(const Surface& surface, const FaceMesh& mesh) {
         static_cast<std::ptrdiff_t>(surface.polygons.size()));
 }
 
-// With a spacing of two the mesh is in half-steps, and all of this is exact.
+// With a spacing of two the mesh is in half-steps, so all values are exact.
 void check_closed_and_exact(const Surface& surface) {
   for (const Faces faces : both_kinds) {
     const FaceMesh mesh = build_mesh(surface, {true, faces});
@@ -63,14 +63,14 @@ bool is_vertex(const FaceMesh& mesh, const Point& point) {
 
 }  // namespace
 
-TEST_CASE("a lone voxel is an octahedron of half its spacing") {
+TEST_CASE("a single voxel is an octahedron of half its spacing") {
   const Surface surface = octahedron({1, 2, 3});
   CHECK(hand_made::six_volumes(surface) == 8);
   for (const Faces faces : both_kinds) {
     const FaceMesh mesh = build_mesh(surface, {true, faces});
     CHECK(mesh.vertices_mm.size() == 6);
     CHECK(mesh.face_count() == 8);
-    CHECK(check_mesh(mesh).closed());
+    CHECK(check_mesh(mesh).is_closed());
     CHECK(check_mesh(mesh).edges == 12);
     CHECK(is_vertex(mesh, {0.5, 0, 0}));
     CHECK(is_vertex(mesh, {0, -1, 0}));
@@ -113,7 +113,7 @@ TEST_CASE("faces look outside for axes in either direction") {
         for (const Faces faces : both_kinds) {
           const Surface surface = box_with_hole({x, y, z});
           const FaceMesh mesh = build_mesh(surface, {true, faces});
-          CHECK(check_mesh(mesh).closed());
+          CHECK(check_mesh(mesh).is_closed());
           CHECK(six_volumes(mesh) == doctest::Approx(6 * 384 * 1.4 / 8));
           for (std::size_t face = 0; face < mesh.face_count(); ++face) {
             const Point& a = mesh.vertices_mm[mesh.face(face)[0]];
@@ -171,7 +171,7 @@ TEST_CASE("without conforming a hole may touch the inside of a straight side") {
 TEST_CASE("invalid polygons are skipped, and valid ones are kept") {
   const Surface whole = box_with_hole();
   CHECK(build_mesh(whole, {true, Faces::triangles}).left_out.empty());
-  // change(rings): of this polygon.
+  // change(rings): modifies the polygon.
   const auto check = [&whole](std::uint32_t polygon, auto change) {
     const Surface surface{whole.spacing_mm,
                           changed(whole.polygons, [&](std::size_t place, auto& rings) {
@@ -203,7 +203,7 @@ TEST_CASE("a spacing of 0, infinity or NaN is refused") {
 TEST_CASE("a surface without polygons is an empty closed mesh") {
   const FaceMesh mesh = build_mesh({{1, 1, 1}, {}});
   CHECK(mesh.face_count() == 0);
-  CHECK(check_mesh(mesh).closed());
+  CHECK(check_mesh(mesh).is_closed());
   CHECK(is_closed(mesh));
 }
 
@@ -215,13 +215,13 @@ TEST_CASE("far coordinates neither wrap nor lose a half-step") {
       for (Vertex& vertex : ring) vertex.z += far;
   });
   const FaceMesh mesh = build_mesh(surface, {true, Faces::triangles});
-  CHECK(check_mesh(mesh).closed());
+  CHECK(check_mesh(mesh).is_closed());
   CHECK(is_vertex(mesh, {1, 0, 2000000008.0}));
 }
 
 TEST_CASE("the report counts each kind of damage") {
   const FaceMesh whole = build_mesh(octahedron());
-  REQUIRE(check_mesh(whole).closed());
+  REQUIRE(check_mesh(whole).is_closed());
   CHECK(is_closed(whole));
 
   Surface surface = octahedron();
@@ -230,7 +230,7 @@ TEST_CASE("the report counts each kind of damage") {
   MeshReport report = check_mesh(lacking);
   CHECK(report.open_edges == 3);
   CHECK(report.edges == 12);
-  CHECK_FALSE(report.closed());
+  CHECK_FALSE(report.is_closed());
   CHECK_FALSE(is_closed(lacking));
 
   FaceMesh reversed = whole;
@@ -250,7 +250,7 @@ TEST_CASE("the report counts each kind of damage") {
   repeated.corners[4] = repeated.corners[0];
   CHECK(check_mesh(repeated).degenerate_faces == 1);
 
-  // Rounding leaves these three corners a trace of an area.
+  // Rounding gives these three collinear corners a small area.
   FaceMesh flat = build_mesh({{1, 1, 1}, polygon({0, 0, 1}, {{{1, 0, 0}, {3, 0, 0}, {2, 1, 0}}})});
   CHECK(check_mesh(flat).degenerate_faces == 0);
   flat.vertices_mm = {{0.1, 0.3, 0}, {0.2, 0.6, 0}, {0.3, 0.9, 0}};

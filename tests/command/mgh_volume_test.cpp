@@ -1,4 +1,4 @@
-// FreeSurfer's volumes, field by field. container_table_test has the files of nibabel.
+// FreeSurfer's volumes, field by field. container_table_test reads the files of nibabel.
 #include "volume_files.hpp"
 
 namespace {
@@ -7,7 +7,7 @@ using namespace volume_files;
 using discmc::Space;
 using discmc::meshing::Axes;
 
-// A file of 5 x 3 x 4 voxels. geometry: spacing, directions and centre, or none.
+// A file of 5 x 3 x 4 voxels. geometry: spacing, directions and centre; or none.
 std::string mgh(std::int32_t type, const std::string& samples, const std::vector<float>& geometry,
                 std::int32_t frames = 1, std::int32_t version = 1) {
   std::string bytes;
@@ -19,7 +19,7 @@ std::string mgh(std::int32_t type, const std::string& samples, const std::vector
   return bytes + samples;
 }
 
-// Sagittal, as FreeSurfer conforms volumes, but with the centre elsewhere.
+// Sagittal, like FreeSurfer's conformed volumes, but with another centre.
 const std::vector<float> conformed = {0.5F, 0.7F, 2, -1, 0, 0, 0, 0, -1, 0, 1, 0, 10, 20, 30};
 
 TEST_CASE_FIXTURE(Folder,

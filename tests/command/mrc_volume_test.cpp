@@ -1,4 +1,4 @@
-// MRC and CCP4 maps, field by field. container_table_test has the files of mrcfile.
+// MRC and CCP4 maps, field by field. container_table_test reads the files of mrcfile.
 #include "volume_files.hpp"
 
 namespace {
@@ -119,7 +119,7 @@ TEST_CASE_FIXTURE(Folder, "columns, rows and sections may run along any axis") {
   const std::array<double, 3> spacing{10.0 / 3, 6.0 / 4, 8.0 / 5};
   for (std::size_t axis = 0; axis < 3; ++axis)
     CHECK(std::fabs(reader->info().spacing_mm[axis] - spacing[axis]) < 1e-9);
-  // The first section is the third along y, and so on.
+  // The first section is the third along y.
   CHECK(std::fabs(reader->info().placement->origin_mm[0] - 2 * spacing[0]) < 1e-9);
   CHECK(std::fabs(reader->info().placement->origin_mm[1] - 3 * spacing[1]) < 1e-9);
   CHECK(std::fabs(reader->info().placement->origin_mm[2] - 1 * spacing[2]) < 1e-9);

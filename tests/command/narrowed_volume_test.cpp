@@ -1,4 +1,4 @@
-// Volumes of any type in 16 bits.
+// Volumes of any type, converted to 16 bits.
 #include "extraction/narrowed_volume.hpp"
 
 #include "volume_files.hpp"

@@ -1,4 +1,4 @@
-// Volumes written as NIfTI-2, and read again.
+// Volumes written as NIfTI-2, and read back.
 #include "volumes/formats/nifti/writer.hpp"
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// How far the normals of a mesh are from those in double precision.
+// The angles between the normals of a mesh and normals in double precision.
 #pragma once
 
 #include <array>
@@ -34,15 +34,15 @@ inline discmc::meshing::Surface surface_of(discmc::command::VolumeReader& volume
   return builder.surface();
 }
 
-/// What is compared: vertices with a gradient of at least a number of samples per voxel.
+/// The compared vertices: with a gradient of at least this many samples per voxel.
 constexpr double steep = 8;
 
 struct NormalAngles {
-  std::size_t level = 0;           ///< vertices without any gradient
-  Angles fixed_point, octahedral;  ///< of steep ones: the mesh's own, and those of two bytes
+  std::size_t level = 0;           ///< vertices without a gradient
+  Angles fixed_point, octahedral;  ///< where steep: of the mesh, and in two bytes
 };
 
-/// Compares gradient normals of a mesh with central differences in the volume that it is of.
+/// Compares gradient normals of a mesh with central differences in its volume.
 inline NormalAngles compare(const FaceMesh& mesh, const SampleVolume<int>& volume) {
   const auto nm = discmc::meshing::spacing_nm(mesh.spacing_mm);
   const discmc::AxisWeights weights = discmc::axis_weights({nm[0], nm[1], nm[2]});
@@ -55,7 +55,7 @@ inline NormalAngles compare(const FaceMesh& mesh, const SampleVolume<int>& volum
     const Point& s = mesh.spacing_mm;
     const Point expected = {-up[0] / s[0], -up[1] / s[1], -up[2] / s[2]};
     result.fixed_point.add(degrees_between(mesh.normals[i], expected));
-    // Sums of halves over eight voxels at most.
+    // Sums of halves over at most eight voxels.
     const discmc::LongVector down = {std::llround(-16 * up[0]), std::llround(-16 * up[1]),
                                      std::llround(-16 * up[2])};
     const discmc::UnitNormal unit =

@@ -1,4 +1,4 @@
-// Normals of vertices from the command: their sources, their files, and what does not go together.
+// Normals of vertices from the command: sources, files, and conflicting options.
 #include <discmc/normal_extractor.hpp>
 
 #include "command.hpp"
@@ -18,7 +18,7 @@ const std::string layout = " --dims 16,16,16 --type u16 --big-endian";
 const std::vector<std::string> sources = {"surface", "gradient"};
 const std::vector<std::string> formats = {"ply", "obj", "glb", "vtp"};
 
-// A ball of radius 5 with a ramp of 100 per voxel about 1000.
+// A ball of radius 5, with a slope of 100 per voxel around 1000.
 discmc::reference::SampleVolume<int> ball() {
   return discmc::reference::ramp_ball(extent, 5, {100, 1000, 2000});
 }
@@ -39,7 +39,7 @@ std::string header(const std::string& space_directions) {
          space_directions + "\n\n";
 }
 
-// The stream of v.nrrd as a device makes it that has the samples at hand: with normals.
+// The stream of v.nrrd from a device with access to the samples: with normals.
 std::string stream_with_normals() {
   using WithNormals = discmc::GradientIntake<std::uint16_t>;
   discmc::StreamHeader header;
@@ -66,7 +66,7 @@ std::string stream_with_normals() {
   return std::string(line.bytes.begin(), line.bytes.end());
 }
 
-// v.raw and v.nrrd hold the same ball, v.dmc its stream.
+// v.raw and v.nrrd contain the same ball, v.dmc its stream.
 struct Ball : Workshop {
   Ball() {
     write("v.raw", ball_samples);

@@ -1,4 +1,4 @@
-// Commands print what the reader of a volume notes.
+// Commands print the notes of the reader of a volume.
 #include "command.hpp"
 #include "pages/page.hpp"
 

@@ -1,4 +1,4 @@
-// Archives of NumPy: which of the arrays is the volume. container_table_test has every sample type.
+// Archives of NumPy: the choice of the array. container_table_test has the sample types.
 #include "command.hpp"
 
 namespace {

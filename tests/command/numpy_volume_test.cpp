@@ -1,13 +1,12 @@
-// Arrays of NumPy: which axis is which, in either order of storage, and halves.
-// container_table_test has every sample type.
+// Arrays of NumPy: the order of axes, either order of storage, and halves. container_table_test has
+// the sample types.
 #include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
 
-// Samples of u16 at all places of an array, the last index fastest, with the values of
-// value(index).
+// u16 samples of an array, the last index fastest, with the values of value(index).
 template <class Value>
 std::string array_of(const std::vector<int>& sizes, Value value) {
   std::string bytes;
@@ -62,7 +61,7 @@ std::string shape_of(const std::string& letters) {
   return shape;
 }
 
-// An array with these axes, the first one slowest. Its volume 1 and channel 4 are the array above.
+// An array with these axes, the first one slowest. Volume 1, channel 4 of it is the array above.
 std::string array_with(const std::string& letters) {
   std::vector<int> sizes;
   for (const char letter : letters) sizes.push_back(size_along(letter));
@@ -162,7 +161,7 @@ TEST_CASE_FIXTURE(Folder, "--axes is refused for a format with fixed axes") {
 }
 
 TEST_CASE_FIXTURE(Folder, "floating point of 16 bits is read as that of 32") {
-  // Numbers of every kind, by the bits that IEEE 754 gives them.
+  // Numbers of every kind, from their bits in IEEE 754.
   struct Half {
     std::uint16_t bits;
     double value;

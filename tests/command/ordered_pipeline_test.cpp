@@ -1,4 +1,4 @@
-// Steps that come in order, and work between them that does not.
+// Sequential steps, with parallel work between them.
 #include "jobs/ordered_pipeline.hpp"
 
 #include <atomic>

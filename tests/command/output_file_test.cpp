@@ -1,4 +1,4 @@
-// Output files: nothing half-written appears under their name.
+// Output files: no incomplete file has the name of the output.
 #include "files/output_file.hpp"
 
 #include <sys/stat.h>
@@ -17,7 +17,7 @@ using command_tests::contents;
 using discmc::command::OutputFile;
 using volume_files::Folder;
 
-// What was synced: whether it was a folder, and whether the target had its name by then.
+// Synced descriptors: whether each was a folder, and whether the target had its name then.
 struct Syncs {
   std::filesystem::path target;
   int error_of_files = 0;
@@ -38,7 +38,7 @@ class SyncsWatched : public Syncs {
   ~SyncsWatched() { syncs = nullptr; }
 };
 
-// The one file that is in a folder.
+// The only file in a folder.
 std::filesystem::path only_file(const std::filesystem::path& folder) {
   REQUIRE(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
   return std::filesystem::directory_iterator(folder)->path();
@@ -62,7 +62,7 @@ struct Target : Folder {
 
 }  // namespace
 
-// Takes the place of the system's in this program.
+// Replaces the system's function in this program.
 extern "C" int fsync(int descriptor) {
   if (syncs == nullptr) return static_cast<int>(syscall(SYS_fsync, descriptor));
   struct stat status {};
@@ -205,7 +205,7 @@ TEST_CASE_FIXTURE(Folder, "a file that is replaced keeps its permissions") {
     OutputFile file(target);
     file.stream() << "after";
     for (const auto& entry : std::filesystem::directory_iterator(path()))
-      CHECK(entry.status().permissions() == mode);  // never more, while it is written
+      CHECK(entry.status().permissions() == mode);  // the permissions while the file is written
     file.commit();
     CHECK(std::filesystem::status(target).permissions() == mode);
   }

@@ -1,4 +1,4 @@
-// Files that are packed as a whole: every way around every kind of reader, by libarchive's writers.
+// Packed files: every filter of libarchive, with every kind of reader.
 #include <archive.h>
 #include <archive_entry.h>
 
@@ -9,7 +9,7 @@ namespace {
 using namespace volume_files;
 using command_tests::contents;
 
-// What libarchive packs with one of its filters.
+// Packs bytes with one of libarchive's filters.
 std::string packed(const std::string& bytes, int (*add_filter)(archive*)) {
   std::string out(bytes.size() + (1U << 20), '\0');
   std::size_t count = 0;

@@ -1,4 +1,4 @@
-// Commands that take a part of a volume, or fewer voxels.
+// Commands for a part of a volume, or for fewer voxels.
 #include <sstream>
 
 #include "command.hpp"
@@ -10,17 +10,17 @@ using namespace command_tests;
 
 constexpr std::uint32_t extent = 16;
 const std::string layout = " --dims 16,16,16 --type u16 ";
-// What is left of the ball is cut, by the first range.
+// The first range cuts the ball.
 const std::string crop = " --crop 6..,..14,2..13 ";
 const std::string part_dims = " --dims 10,15,12 --type u16 ";
 
-// A ball of radius 5 with a ramp of 100 per voxel about 1000.
+// A ball of radius 5, with a slope of 100 per voxel around 1000.
 std::vector<std::uint16_t> ball() {
   const auto volume = discmc::reference::ramp_ball(extent, 5, {100, 1000, 2000});
   return {volume.samples.begin(), volume.samples.end()};
 }
 
-// What --crop of the ball should leave.
+// The expected result of --crop on the ball.
 std::vector<std::uint16_t> part() {
   const auto whole = ball();
   std::vector<std::uint16_t> samples;
@@ -43,7 +43,7 @@ const std::string turned =
     "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 16 16 16\nencoding: raw\nendian: little\n"
     "space: LPS\nspace directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n\n";
 
-// The positions of a mesh in micrometres, sorted: vertices may have another order.
+// The positions of a mesh in micrometres, sorted, because vertices may have another order.
 std::vector<std::array<long, 3>> places(const FileMesh& mesh) {
   std::vector<std::array<long, 3>> sorted;
   for (const std::uint32_t corner : mesh.corners) {
@@ -141,7 +141,7 @@ TEST_CASE_FIXTURE(Volumes,
       }
       fails(decode + volume + of, 1, {"16x16x16", "with the same --crop and --shrink"});
     }
-  // As large, and a voxel of 1 mm further.
+  // The same size, moved by a voxel of 1 mm.
   done("extract v.raw --iso 1000 -q -o part.dmc" + layout + crop);
   fails("decode part.dmc --normals gradient -o v.ply --volume v.raw" + layout +
             "--crop 6..,1..,2..13",

@@ -1,4 +1,4 @@
-// Volumes in parts, on several cores: the surface is that of one sweep.
+// Volumes in parts, on several cores: the surface equals that of one sweep.
 #include "extraction/part_extraction.hpp"
 
 #include <discmc/decoder.hpp>
@@ -24,9 +24,9 @@ using hand_made::regions_of;
 using sample_reader::bit_threshold;
 using sample_reader::SampleReader;
 
-ExtractionOptions options_with(Border border, bool takes_majority = false) {
+ExtractionOptions options_with(Border border, bool filters_by_majority = false) {
   ExtractionOptions options{{bit_threshold}, border};
-  options.takes_majority = takes_majority;
+  options.filters_by_majority = filters_by_majority;
   return options;
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("parts cover the volume, and are as thick as its slices allow") {
   }
   CHECK(parts_of(info_of(4, 4, 16)).size() == 1);
   CHECK(parts_of(info_of(512, 512, 512)).size() == 16);
-  // 64 MiB at most, but two slices at least.
+  // At most 64 MiB, but at least two slices.
   CHECK(parts_of(info_of(4096, 4096, 100)).size() == 25);
   CHECK(parts_of(info_of(32766, 32766, 10)).size() == 5);
 }

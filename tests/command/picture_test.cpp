@@ -42,7 +42,7 @@ bool is_outside(const Pixel& pixel) {
   return pixel[0] > pixel[2];  // the inside is bluish
 }
 
-// Ready for both kinds of shading.
+// Valid for both kinds of shading.
 FaceMesh with_normals(FaceMesh mesh) {
   mesh.normals = surface_normals(mesh);
   return mesh;
@@ -80,7 +80,7 @@ FaceMesh with_radii(FaceMesh mesh, const Point& signs) {
   return mesh;
 }
 
-// From the lower right of a ball, where the light does not come, to its brightest place.
+// From the lower right of a ball, which the light does not reach, to its brightest point.
 void check_brighter_towards_light(const Picture& picture, int tolerance) {
   int before = 0;
   for (double way = 38; way > -18; way -= 4) {
@@ -92,8 +92,8 @@ void check_brighter_towards_light(const Picture& picture, int tolerance) {
   CHECK(before > brightness(pixel(picture, 72, 76)) + 200);
 }
 
-// A wall of two triangles from the viewer's feet far away from him, and the normals of its near
-// and its far side.
+// A wall of two triangles from the viewer's feet into the distance, and the normals of its near and
+// far side.
 FaceMesh long_wall(const Point& near, const Point& far) {
   FaceMesh mesh;
   mesh.vertices_mm = {{-5, 0, 0}, {5, 0, 0}, {5, 40, 0}, {-5, 40, 0}};
@@ -125,7 +125,7 @@ TEST_CASE("an octahedron from above is a square on its tip that fills the pictur
 }
 
 TEST_CASE("a plane polygon of any shape is filled, and nothing else") {
-  // The roof of the leaning wall is an L: its notch is at the lower right.
+  // The roof of the leaning wall is an L, with its notch at the lower right.
   Surface surface = leaning_wall();
   surface.polygons = only(surface.polygons, {4});
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
@@ -151,7 +151,7 @@ TEST_CASE("near faces hide far ones, in any order of the faces") {
     const Picture picture = draw(build_mesh(surface), options);
     surface.polygons = only(surface.polygons, {9, 8, 7, 6, 5, 4, 3, 2, 1, 0});
     CHECK(draw(build_mesh(surface), options).pixels == picture.pixels);
-    // The inside of a closed surface is never seen: without the walls that look away, the
+    // The inside of a closed surface is never visible. Without the walls that face away, the
     // picture stays the same.
     Surface seen = surface;
     seen.polygons = {};
@@ -177,7 +177,7 @@ TEST_CASE("the inside of an open mesh has a tone of its own") {
 TEST_CASE("a mirrored axis mirrors the picture but not inside and outside") {
   const Picture picture = draw(build_mesh(box_with_hole({1, 1, -1})), from_above(64));
   CHECK(pixel(picture, 8, 32)[0] > pixel(picture, 8, 32)[2]);
-  // Light and hole are where they were: the box is symmetric.
+  // Light and hole do not move, because the box is symmetric.
   CHECK(picture.pixels == draw(build_mesh(box_with_hole()), from_above(64)).pixels);
 }
 
@@ -240,7 +240,7 @@ TEST_CASE("exact normals make an exact ball: smooth shading follows normals and 
   const FaceMesh mesh = with_radii(ball_mesh(), {1, 1, 1});
   const Picture smooth = from_side(mesh, {0, 0, 1}, Shading::smooth, 200);
   const Picture flat = from_side(mesh, {0, 0, 1}, Shading::flat, 200);
-  int smooth_steps = 0, flat_steps = 0;  // the largest from pixel to pixel
+  int smooth_steps = 0, flat_steps = 0;  // the maximum between neighbouring pixels
   for (int y = 30; y < 170; ++y)
     for (int x = 30; x < 170; ++x) {
       const auto step = [x, y](const Picture& picture) {
@@ -273,11 +273,11 @@ TEST_CASE("walls stay plain in smooth shading, and their edges are rounded") {
 
 TEST_CASE("a face keeps its own normal where that of a vertex leans too far away") {
   FaceMesh mesh = build_mesh(box_with_hole(), {true, Faces::triangles});
-  mesh.normals.assign(mesh.vertices_mm.size(), {0, 0, 1});  // as at the wall of a volume
+  mesh.normals.assign(mesh.vertices_mm.size(), {0, 0, 1});  // as at the border of a volume
   const Point side = {-1, -1.5, 0.8};
   const Picture flat = from_side(mesh, side, Shading::flat);
   CHECK(max_difference(from_side(mesh, side, Shading::smooth), flat) <= 1);
-  mesh.normals.assign(mesh.vertices_mm.size(), {});  // there is none
+  mesh.normals.assign(mesh.vertices_mm.size(), {});  // no such edge
   CHECK(max_difference(from_side(mesh, side, Shading::smooth), flat) <= 1);
   mesh.normals.assign(mesh.vertices_mm.size(), unit_or_zero({-1, -1, 1}));
   CHECK(max_difference(from_side(mesh, side, Shading::smooth), flat) > 20);
@@ -292,12 +292,12 @@ TEST_CASE("normals are interpolated in space and not in the picture") {
     options.projection = projection;
     options.shading = Shading::smooth;
     options.zoom = 4;
-    options.at = Point{0, 20, 0};  // half the way along the wall
+    options.at = Point{0, 20, 0};  // halfway along the wall
     const Pixel middle = pixel(draw(long_wall(near, far), options), 32, 32);
     const Pixel expected = pixel(draw(long_wall(up, up), options), 32, 32);
     REQUIRE(!is_background(middle));
     for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(middle[i] - expected[i]) <= 2);
-    options.at = Point{0, 10, 0};  // a change that is seen
+    options.at = Point{0, 10, 0};  // a visible change
     CHECK(pixel(draw(long_wall(near, far), options), 32, 32) != expected);
   }
 }

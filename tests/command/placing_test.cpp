@@ -1,4 +1,4 @@
-// Meshes have the places of their volumes in the patient's space, for each kind of placement.
+// Meshes have the positions of their volumes in the patient's space, for each kind of placement.
 #include <discmc/placement.hpp>
 
 #include "command.hpp"
@@ -13,7 +13,7 @@ using discmc::meshing::dot;
 
 using Vertices = std::vector<Point>;
 
-// Volumes of NiBabel with one voxel, and where it has the vertices: placed/make.py. In RAS.
+// Volumes of NiBabel with one voxel, and the vertices of that voxel: placed/make.py. In RAS.
 struct Placed {
   std::string name;
   double determinant;
@@ -52,9 +52,9 @@ void check_vertices(const FileMesh& mesh, const Vertices& expected) {
     }));
 }
 
-// What an octahedron between the ends of half axes encloses, if it looks outside.
+// The volume of an octahedron between the ends of half axes, if it faces outwards.
 void check_closed(const FileMesh& mesh, double determinant) {
-  CHECK(check_mesh(mesh).closed());
+  CHECK(check_mesh(mesh).is_closed());
   CHECK(volume_of(mesh) == doctest::Approx(std::fabs(determinant) / 6).epsilon(1e-3));
 }
 
@@ -66,7 +66,7 @@ void copy_placed(const Workshop& workshop, const std::string& name) {
   workshop.write(name, contents(DISCMC_SOURCE_DIR "/tests/command/placed/" + name));
 }
 
-// The stream of one voxel whose voxels are 1 mm apart, with a placement.
+// The stream of one voxel with a spacing of 1 mm and a placement.
 std::string stream_with(const discmc::Placement& placement) {
   discmc::test::Line line;
   discmc::Encoder encoder;
@@ -75,7 +75,7 @@ std::string stream_with(const discmc::Placement& placement) {
       discmc::test::begin_stream(encoder, discmc::test::header_of(volume), line.output()));
   std::uint8_t bytes[discmc::Placement::record_bytes];
   discmc::reference::require_ok(encoder.write_record(discmc::record_of(placement, bytes)));
-  discmc::test::take_all(encoder, discmc::test::events_of(volume));
+  discmc::test::encode_all(encoder, discmc::test::events_of(volume));
   return std::string(line.bytes.begin(), line.bytes.end());
 }
 
@@ -143,7 +143,7 @@ TEST_CASE_FIXTURE(Workshop, "in the space of voxels a mesh is at index times spa
     done("extract v.nrrd --iso 100 -o " + name);
     check_vertices(mesh_in(*this, name), in_space);
   }
-  // VTK's own way of writing LPS.
+  // How VTK writes LPS.
   CHECK(contains(read("v.vtp"),
                  "Name=\"SPACE\" NumberOfTuples=\"1\" "
                  "format=\"ascii\">76 80 83 0<"));

@@ -1,4 +1,4 @@
-// The container of polygons: views of arrays that are appended to.
+// The container of polygons: views of growing arrays.
 #include "surface/polygons.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Polygons square_with_hole() {
   return polygon_of(up, {square, hole});
 }
 
-// What the loops over all of it meet.
+// The elements visited by loops over the container.
 struct Met {
   std::vector<Incidence> incidences;
   std::vector<std::vector<Corners>> rings;
@@ -95,7 +95,7 @@ TEST_CASE("a polygon of another list is added with all its rings") {
 }
 
 TEST_CASE("polygons are sorted by z, y and x of their first corners, then by their incidences") {
-  // Side by side; in rows that are far apart; and in layers of which some are far apart.
+  // Side by side; in distant rows; and in layers, some of which are distant.
   struct Spread {
     std::int32_t row, far_layer;
   };

@@ -11,7 +11,7 @@ using discmc::reference::box;
 
 const std::string clear_line = "\r\033[K";
 
-// Runs the command on a terminal; returns what that was sent, or nothing where there is none.
+// Runs the command on a terminal. Returns the output there, or nothing without a terminal.
 std::string on_terminal(const Workshop& workshop, const std::string& arguments) {
   const Result result = workshop.shell(
       "command -v script >found || exit 0\n"
@@ -21,7 +21,7 @@ std::string on_terminal(const Workshop& workshop, const std::string& arguments) 
   return result.out;
 }
 
-// Whether the phases were shown in this order, each on a line that was cleared.
+// Whether the phases were shown in this order, each on a cleared line.
 void check_phases(const std::string& sent, const std::vector<std::string>& phases) {
   INFO(sent);
   std::size_t at = 0;
@@ -53,7 +53,7 @@ TEST_CASE_FIXTURE(Workshop,
   check_phases(on_terminal(*this, "extract v.nrrd --iso 100 --normals gradient -o v.ply"),
                {"extracting 0 %", "triangulating", "normals 0 %", "writing"});
 
-  // The triangles go to the file as they are made.
+  // The triangles are written as they are made.
   check_phases(on_terminal(*this, "extract v.nrrd --iso 100 -o v.ply"),
                {"extracting 0 %", "writing"});
 

@@ -30,7 +30,7 @@ std::size_t intersections_of(const FaceMesh& mesh) {
   return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
-// A slope of one voxel on many, as in a scan: the hardest steps.
+// A slope of one voxel in many, as in scans: the steps that are hardest to smooth.
 Field slope(double x, double y) {
   return field_of({24, 20, 12}, [=](double at_x, double at_y, double at_z) {
     return level + 9 * (6 + x * (at_x - 12) + y * (at_y - 10) - at_z);
@@ -90,7 +90,7 @@ TEST_CASE("a relaxed surface is closed, keeps every voxel on its side and inters
       });
       CHECK(moved > 50);
       const FaceMesh mesh = mesh_of(of, &crossings, tolerance);
-      CHECK(check_mesh(mesh).closed());
+      CHECK(check_mesh(mesh).is_closed());
       CHECK(intersections_of(mesh) == 0);
     }
 }

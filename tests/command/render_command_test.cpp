@@ -1,4 +1,4 @@
-// The command that draws: streams and volumes, and what does not go together.
+// discmc render: streams, volumes, and conflicting options.
 #include "command.hpp"
 
 namespace {
@@ -9,7 +9,7 @@ using discmc::reference::ball;
 const std::string raw_layout = " --dims 20,20,20 --type u8 --spacing 0.5,-1,2";
 const std::string small = " --size 60,50";
 
-// v.nrrd and v.raw hold the same volume, v.dmc its stream.
+// v.nrrd and v.raw contain the same volume, v.dmc its stream.
 struct Volumes : Workshop {
   Volumes() {
     const BitVolume volume = ball({20, 20, 20}, {19, 19, 15}, 100);
@@ -19,7 +19,7 @@ struct Volumes : Workshop {
     write("v.raw", samples);
     done("extract v.nrrd --iso 100 -o v.dmc");
   }
-  // The picture that the command makes.
+  // The picture made by the command.
   std::string picture(const std::string& arguments) const {
     const std::string bytes = done("render " + arguments + small + " -o -");
     CHECK(bytes.substr(1, 3) == "PNG");

@@ -1,4 +1,4 @@
-// Files and folders that users of other programs reported: they were read wrongly, or refused
+// Files and folders that users of other programs reported, because they were misread, or refused
 // without a remedy.
 #include "command.hpp"
 
@@ -54,7 +54,7 @@ TEST_CASE_FIXTURE(Folder, "samples with a describing text file are read with the
                       "Size = 5 3 4\nName = ..\nDatatype = float\n"
                       "BitsPerElement = 32\n"),
                 "x.vgi");
-  // Nikon names the samples without an ending.
+  // Nikon's files of samples have names without an extension.
   const auto nikon = write("scan.xtekct",
                            "[XTekCT]\nName=head 1.5\nVoxelsX=5\nVoxelsY=3\nVoxelsZ=4\n"
                            "VoxelSizeX=2\nVoxelSizeY=3\nVoxelSizeZ=4\n");
@@ -87,7 +87,7 @@ std::string mask(const std::string& samples) {
   return Nifti().dims({3, 4, 3, 2}).file(samples);
 }
 
-// In the same place of space, with x from right to left or from left to right.
+// At the same position in space, with x from right to left or from left to right.
 std::string placed_mask(const std::string& samples, bool is_reversed) {
   Nifti header;
   header.dims({3, 4, 3, 2}).integer(254, 2, 1);
@@ -123,7 +123,7 @@ TEST_CASE_FIXTURE(Workshop, "masks beside a picture are the volume, and the pict
   check_parts(run("extract seg --labels all -o 'm-{name}.stl'"), 0,
               {"pictures beside the volumes are left out: 1, such as 'qc.jpg'"});
   CHECK(contains(shell("ls").out, "m-liver.stl"));
-  // A shell replaces a pattern without quotes by its files.
+  // A shell replaces an unquoted pattern by the names of its files.
   CHECK(contains(done("extract seg/liver.nii seg/spleen.nii --labels all -o m.csv"), "spleen"));
   fails("extract seg/liver.nii m.stl --labels all", 2,
         {"'m.stl' is an unexpected argument; name the output with -o m.stl"});

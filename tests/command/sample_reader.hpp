@@ -1,4 +1,4 @@
-// Volumes from memory as the command reads them, and the meshes of their surfaces.
+// Volumes in memory with the interface of the command's readers, and the meshes of their surfaces.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class SampleReader final : public discmc::command::VolumeReader {
     info_.type = type;
     info_.spacing_mm = spacing_mm;
   }
-  /// 150 where on, 50 where off.
+  /// On voxels are 150, the others 50.
   explicit SampleReader(const BitVolume& volume, const Point& spacing_mm = {1, 1, 1},
                         SampleType type = SampleType::u8)
       : SampleReader({volume.width, volume.height, volume.depth}, {}, spacing_mm, type) {
@@ -53,7 +53,7 @@ class SampleReader final : public discmc::command::VolumeReader {
   std::size_t next_ = 0;
 };
 
-/// Between on and off of a volume of bits.
+/// A threshold between on and off of a volume of bits.
 constexpr std::int32_t bit_threshold = 100;
 
 inline discmc::meshing::Surface surface_of(const BitVolume& volume,
@@ -70,7 +70,7 @@ inline FaceMesh merged_mesh(const BitVolume& volume, discmc::meshing::Faces face
   return build_mesh(surface_of(volume, spacing_mm), {true, faces});
 }
 
-/// Switches voxels on or off, from the first to the last.
+/// Inverts the voxels from the first to the last.
 inline void put_box(BitVolume& volume, const discmc::Vertex& first, const discmc::Vertex& last,
                     std::uint8_t on) {
   for (std::int32_t z = first.z; z <= last.z; ++z)

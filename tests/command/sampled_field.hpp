@@ -1,4 +1,4 @@
-// Volumes by a formula, and their surfaces, interpolated.
+// Volumes of samples from a formula, and their interpolated surfaces.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ struct Field {
 };
 
 constexpr double threshold = 50;
-/// Where the surface crosses between whole numbers.
+/// A level that whole numbers do not reach exactly.
 constexpr double level = 49.5;
 
 inline Field field_of(Size size, const std::function<double(double, double, double)>& value) {
@@ -68,7 +68,7 @@ struct Extracted {
 inline Extracted extracted(const Field& field, SampleType type = SampleType::u8,
                            const Point& spacing_mm = {1, 1, 1}, Border border = Border::closed) {
   SampleReader reader(field.size, field.samples, spacing_mm, type);
-  // Interpolated between the same samples, for any type.
+  // The surface interpolated between the same samples, of any type.
   const Selection selection{is_floating(type) ? level : threshold};
   SurfaceBuilder builder;
   Extracted result{{}, CrossingFinder(reader.info(), selection)};

@@ -7,14 +7,14 @@ using command_tests::check_failure;
 using command_tests::contains;
 using command_tests::Workshop;
 
-// 60 voxels in a file of five a row, three rows a slice: 0, 4, 8 ... 236.
+// 60 voxels, five per row, three rows per slice: 0, 4, 8, ..., 236.
 const std::string ramp = "extract v.raw --dims 5,3,4 --type u8 ";
 
 }  // namespace
 
 TEST_CASE_FIXTURE(Workshop, "a range includes both ends") {
   write("v.raw", volume_files::stored(volume_files::SampleType::u8));
-  // The voxels from 8 to 236 less those from 104 on are those from 8 to 100.
+  // The voxels from 8 to 236 without those from 104 on are those from 8 to 100.
   done(ramp + "--range 8..100 -o range.jsonl");
   done(ramp + "--range 7.5..103.5 -o wider.jsonl");
   CHECK(read("range.jsonl") == read("wider.jsonl"));
@@ -58,7 +58,7 @@ TEST_CASE_FIXTURE(Workshop, "a range is encoded in streams of both kinds") {
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "selections that make no sense are refused before any work") {
+TEST_CASE_FIXTURE(Workshop, "invalid selections are refused before any work") {
   write("v.raw", volume_files::stored(volume_files::SampleType::u8));
   fails(ramp + "-o v.stl", 2, {"--iso", "--range", "--label"});
   fails(ramp + "--range 9..8 -o v.stl", 2, {"'9..8'", "LOW..HIGH"});

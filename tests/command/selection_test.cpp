@@ -1,4 +1,4 @@
-// Which voxels are on, for every type of sample.
+// The voxels that a selection includes, for every sample type.
 #include "extraction/selection.hpp"
 
 #include "test.hpp"

@@ -3,26 +3,15 @@
 
 #include <discmc/fraction_slice_encoder.hpp>
 
+#include "received_fractions.hpp"
 #include "sampled_field.hpp"
 #include "smoothing/relaxed_crossings.hpp"
-#include "streams/stream_reader.hpp"
-#include "surface/joined_surface.hpp"
 #include "test.hpp"
 
 namespace {
 
 using namespace sampled_field;
-using discmc::Event;
-using discmc::SinkResult;
 using Bytes = std::vector<std::uint8_t>;
-
-discmc::ByteOutput output_to(Bytes& bytes) {
-  return {&bytes, [](void* context, const std::uint8_t* written, std::size_t count) {
-            auto& all = *static_cast<Bytes*>(context);
-            all.insert(all.end(), written, written + count);
-            return count;
-          }};
-}
 
 template <class Sample>
 Bytes encoded(const Field& field, std::uint8_t levels) {
@@ -42,43 +31,14 @@ Bytes encoded(const Field& field, std::uint8_t levels) {
   return bytes;
 }
 
-class Received {
- public:
-  explicit Received(const Bytes& bytes) : reader_(discmc::make_sink(*this)) {
-    reader_.push(bytes.data(), bytes.size());
-    reader_.finish();
-    joined_.finish();
-    joined_.surface().spacing_mm = {1, 1, 1};
-    CHECK(reader_.report().is_complete());
-  }
-  Received(const Received&) = delete;
-  Received& operator=(const Received&) = delete;
-
-  SinkResult accept(const Event& event) {
-    fractions_.accept(event);
-    return joined_.accept(event);
-  }
-
-  const Surface& surface() const { return joined_.surface(); }
-  Crossings crossings() const {
-    Crossings crossings(reader_.dims(), surface().polygons);
-    fractions_.place(crossings);
-    return crossings;
-  }
-
- private:
-  JoinedSurface joined_;
-  SentFractions fractions_;
-  StreamReader reader_;
-};
-
-// Along z the encoder stores only the width of the distance of the sample before.
+// Along z, the encoder stores only the octave of the distance of the sample before.
 constexpr double rounding_along_z = 0.11;
 
 template <class Sample>
 void check_near_samples(const Field& field, std::uint8_t levels) {
   const Extracted of = extracted(field);
-  const Received received(encoded<Sample>(field, levels));
+  const ReceivedFractions received(encoded<Sample>(field, levels));
+  CHECK(received.is_complete());
   REQUIRE(received.surface().polygons.size() == of.surface.polygons.size());
   const Crossings crossings = received.crossings();
   const Crossings& exact = of.finder.crossings();
@@ -109,7 +69,8 @@ TEST_CASE("a stream with fractions has the crossings of the samples, within half
 TEST_CASE("relaxed crossings with fractions stay in their intervals and are closer") {
   const Field field = ball(24, 9.3);
   const Extracted of = extracted(field);
-  const Received received(encoded<std::uint8_t>(field, 2));
+  const ReceivedFractions received(encoded<std::uint8_t>(field, 2));
+  CHECK(received.is_complete());
   const Crossings sent = received.crossings();
   Crossings relaxed = received.crossings();
   relax(relaxed, received.surface(), {});

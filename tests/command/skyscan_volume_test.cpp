@@ -1,4 +1,4 @@
-// Slices as SkyScan's NRecon writes them: BMP with a log beside them.
+// Slices in the format of SkyScan's NRecon: BMP with a log.
 #include "volume_files.hpp"
 
 namespace {
@@ -18,8 +18,8 @@ struct Bmp {
   std::uint32_t compression = 0;
   std::uint32_t colours = 256;
   std::uint32_t pixels_per_metre = 0;
-  std::string palette = {};  ///< else greys in their order
-  std::string gap = {};      ///< between the palette and the pixels
+  std::string palette = {};  ///< empty: a grey palette in order
+  std::string gap = {};      ///< bytes between the palette and the pixels
   std::string rows = std::string("\1\2\3\0\4\5\6\0", 8);
 
   std::string bytes() const {

@@ -1,4 +1,4 @@
-// A volume in slabs, a stream each, which are joined: extract --slab and join.
+// A volume in slabs, one stream each, and their join: extract --slab, and join.
 #include <discmc/encoder.hpp>
 #include <sstream>
 
@@ -16,7 +16,7 @@ using namespace command_tests;
 using namespace discmc;
 using discmc::reference::Region;
 
-// Blobs and noise, so that much crosses every seam, holes too.
+// Bodies and noise, so that many chains, and holes too, cross every seam.
 std::string rough_samples(int width, int height, int depth) {
   std::string samples;
   std::uint32_t noise = 1;
@@ -64,14 +64,14 @@ struct Slabs : Workshop {
     CHECK(reader.report().is_complete());
     return hand_made::regions_of(builder.surface());
   }
-  // Their names, in a row.
+  // Their names in one line.
   std::string write_slabs(int count, const std::string& options = {}) const {
     std::string names;
     for (int slab = 1; slab <= count; ++slab) {
       const std::string name = "part" + std::to_string(slab) + ".dmc";
       done(volume + options + "--slab " + std::to_string(slab) + "/" + std::to_string(count) +
            " -o " + name);
-      names = name + " " + names;  // from above
+      names = name + " " + names;  // counted from above
     }
     return names;
   }
@@ -106,7 +106,7 @@ TEST_CASE_FIXTURE(Slabs, "slabs of any thickness are joined to the regions of on
 TEST_CASE_FIXTURE(
     Slabs, "slabs of several parts, on several cores, are joined to the regions of one sweep") {
   std::string samples = rough_samples(20, 20, 80);
-  // A plate with many holes is more than a packet holds.
+  // A plate with many holes does not fit a packet.
   for (int i = 30 * 400; i < 34 * 400; ++i)
     samples[static_cast<std::size_t>(i)] = i % 2 == 0 || i / 20 % 2 == 0 ? 'z' : 0;
   write("v.raw", samples);

@@ -1,4 +1,4 @@
-// Which slices of a volume are known when its slabs come from several streams.
+// The range of slices of a volume whose slabs come from several streams.
 #include "streams/slab_ranges.hpp"
 
 #include "test.hpp"
@@ -23,17 +23,17 @@ TEST_CASE("slabs in any order complete the volume, and missing slices are listed
   int order[] = {0, 1, 2, 3};
   do {
     SlabRanges ranges;
-    CHECK(ranges.missing().empty());  // nothing is known
+    CHECK(ranges.missing().empty());  // unknown
     std::vector<bool> is_there(10, false);
     for (const int each : order) {
       CHECK_FALSE(ranges.add(slabs[each]));
       std::fill_n(is_there.begin() + slabs[each].first, slabs[each].slices, true);
-      std::vector<bool> told(10, false), missing(10, true);
+      std::vector<bool> is_covered(10, false), missing(10, true);
       for (const auto& [first, end] : pairs(ranges.ranges()))
-        std::fill(told.begin() + first, told.begin() + end, true);
+        std::fill(is_covered.begin() + first, is_covered.begin() + end, true);
       for (const auto& [first, end] : pairs(ranges.missing()))
         std::fill(missing.begin() + first, missing.begin() + end, false);
-      CHECK(told == is_there);
+      CHECK(is_covered == is_there);
       CHECK(missing == is_there);
     }
     CHECK(pairs(ranges.ranges()) == Pairs{{0, 10}});
@@ -49,9 +49,9 @@ TEST_CASE("repeated slices are reported and not added") {
                                      {{0, 10, 10}, {2, 6}},
                                      {{3, 1, 10}, {3, 4}},
                                      {{2, 4, 10}, {2, 6}}}) {
-    const auto told = ranges.add(range);
-    REQUIRE(told);
-    CHECK(std::pair{told->first, told->end()} == twice);
+    const auto is_covered = ranges.add(range);
+    REQUIRE(is_covered);
+    CHECK(std::pair{is_covered->first, is_covered->end()} == twice);
   }
   CHECK(pairs(ranges.ranges()) == Pairs{{2, 6}});
   CHECK(discmc::command::text(ranges.missing()) == "slices 0 to 1 and 6 to 9");

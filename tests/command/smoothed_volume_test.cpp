@@ -1,4 +1,4 @@
-// Masks without the steps of their voxels: extract --smooth.
+// Masks smoothed to remove the steps of their voxels: extract --smooth.
 #include "smoothing/smoothed_volume.hpp"
 
 #include "command.hpp"
@@ -22,7 +22,7 @@ Grid grid_of(const BitVolume& volume, const Point& spacing_mm) {
   return {{volume.width, volume.height, volume.depth}, spacing_mm};
 }
 
-// The slices of a mask, one after another.
+// The slices of a mask, in sequence.
 SliceSource slices_of(const BitVolume& volume) {
   const std::size_t slice = std::size_t{volume.width} * volume.height;
   return [&volume, slice, next = std::size_t{0}](float* samples) mutable {
@@ -38,7 +38,7 @@ std::vector<float> all_of(Stage& stage, const Grid& grid) {
   return all;
 }
 
-// In millimetres.
+// Units: millimetres.
 std::vector<Point> midpoints_of(const BitVolume& volume, const Point& spacing_mm) {
   std::vector<Point> midpoints;
   for (std::uint32_t z = 0; z < volume.depth; ++z)
@@ -82,7 +82,7 @@ void check_distances(const BitVolume& volume, const Point& spacing_mm, double li
   CHECK(farthest_off < 1e-4);
 }
 
-// Options of a volume that is not yet read.
+// Options for a volume that has not been read.
 FaceMesh mesh_of(SmoothedVolume& volume, double deviation_mm, double tolerance) {
   SurfaceBuilder builder;
   CrossingFinder finder(volume.info(), {0}, {0, 0, 0}, true);
@@ -114,13 +114,13 @@ Smoothed smoothed(const BitVolume& volume, const Point& spacing_mm, double devia
   return result;
 }
 
-// Whatever the names and colours in the files.
+// With any names and colours in the files.
 bool same_mesh(const std::string& obj, const std::string& other) {
   const FileMesh a = command_tests::mesh_of_obj(obj), b = command_tests::mesh_of_obj(other);
   return a.vertices_mm == b.vertices_mm && a.corners == b.corners;
 }
 
-// Bodies and cavities, and the Euler number.
+// The numbers of bodies and cavities, and the Euler number.
 std::pair<std::size_t, std::int64_t> topology_of(const FaceMesh& mesh) {
   Sets pieces = connected_faces(sorted_edges(mesh), mesh.face_count());
   std::set<std::uint32_t> names;
@@ -134,7 +134,7 @@ std::size_t crossing_pairs(const FaceMesh& mesh) {
   return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
-// Between the faces' normals and those of the shape, by area.
+// The angles between the normals of faces and of the shape, weighted by area.
 double mean_degrees(const FaceMesh& mesh, const mask_shapes::Shape& shape) {
   double sum = 0, all = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
@@ -151,7 +151,7 @@ double mean_degrees(const FaceMesh& mesh, const mask_shapes::Shape& shape) {
   return sum / all * 180 / std::acos(-1.0);
 }
 
-// A ball of radius 20 mm in voxels that are longer along z, and its middle.
+// A ball of radius 20 mm in voxels that are longer along z, and its centre.
 constexpr Point long_voxels = {1, 1, 3};
 constexpr double radius = 20;
 constexpr Point middle = {29.7, 29.6, 31.8};
@@ -165,7 +165,7 @@ BitVolume ball_of_long_voxels() {
 
 struct Roundness {
   double area = 0, volume = 0;
-  double mean_degrees = 0;  // between the faces' normals and those of the ball, by area
+  double mean_degrees = 0;  // between the normals of faces and of the ball, weighted by area
 };
 
 Roundness roundness_of(const FileMesh& mesh) {
@@ -188,7 +188,7 @@ Roundness roundness_of(const FileMesh& mesh) {
   return result;
 }
 
-// A ball in three parts that meet along a line through its middle: 1, 2 and 3.
+// A ball in three parts, 1, 2 and 3, with a common edge through its centre.
 std::vector<int> parts_of_a_ball(int extent) {
   std::vector<int> labels;
   const double middle_of_parts = extent / 2.0 - 0.4;
@@ -265,7 +265,7 @@ TEST_CASE("smoothing keeps the volume and the topology of every shape, and no tr
     const double deviation_mm = steps_mm(again.info());
     SmoothedVolume smooth(again, {1}, nullptr, deviation_mm);
     const FaceMesh mesh = mesh_of(smooth, deviation_mm, 0.05);
-    CHECK(check_mesh(mesh).closed());
+    CHECK(check_mesh(mesh).is_closed());
     CHECK(topology_of(mesh) == topology_of(build_mesh(steps.surface(), {true, Faces::triangles})));
     CHECK(volume_of(mesh) == doctest::Approx(shape.volume_mm3()).epsilon(0.005));
     CHECK(crossing_pairs(mesh) == 0);
@@ -393,7 +393,7 @@ TEST_CASE(
       CAPTURE(label.surface.label.text());
       const FaceMesh mesh = build_mesh(
           label.surface.surface, {true, Faces::triangles, &label.crossings.crossings(), 0.05});
-      CHECK(check_mesh(mesh).closed());
+      CHECK(check_mesh(mesh).is_closed());
       CHECK(volume_of(mesh) == doctest::Approx(static_cast<double>(label.surface.voxels) *
                                                spacing[0] * spacing[1] * spacing[2])
                                    .epsilon(0.01));
@@ -401,8 +401,8 @@ TEST_CASE(
   }
 }
 
-// Labels lose volume along the lines in which three meet. Rounds of one after another would not
-// bring enough from the outside to the middle.
+// Labels lose volume along the edges of three labels. Sequential rounds would not move enough from
+// the outside to the centre.
 TEST_CASE("touching labels in a ball lack equal shares of the volume they cannot keep") {
   const int extent = 72, block = 6;
   std::vector<int> samples;
@@ -457,7 +457,7 @@ TEST_CASE("samples are no labels to smooth, and progress is reported as they are
 }
 
 TEST_CASE("any number of scattered values are labels") {
-  // More than a slice may hold where they are scattered, but few near each other.
+  // The labels exceed the limit per slice if they are scattered, but few are close together.
   std::vector<int> samples;
   for (int i = 0; i < 2 * static_cast<int>(max_scattered_labels); ++i)
     samples.insert(samples.end(), {i + 1, 0, 0, 0});

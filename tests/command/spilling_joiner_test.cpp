@@ -1,4 +1,4 @@
-// The joiner that spills to a file: its output does not depend on its memory.
+// The joiner that writes to a temporary file. Its output does not depend on its memory.
 #include "streams/spilling_joiner.hpp"
 
 #include <tuple>
@@ -20,7 +20,7 @@ using discmc::test::Events;
 
 constexpr std::uint64_t plenty = std::uint64_t{1} << 30;
 
-// A scan in so little memory that most of it comes in pieces. Every run has a normal.
+// A scan with so little memory that most regions are sent as fragments. Every run has a normal.
 Events pieces() {
   const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
   Events told;

@@ -1,4 +1,4 @@
-// Folders of pictures that are several stacks: refused, with a pattern that names one of them.
+// Folders with several stacks of pictures: they are refused, with a pattern that selects one stack.
 #include "command.hpp"
 
 namespace {
@@ -6,7 +6,7 @@ namespace {
 using namespace volume_files;
 using command_tests::contents;
 
-// Pictures of 8 by 6 voxels by their names.
+// Pictures of 8 by 6 voxels, by their names.
 class Pictures : public Folder {
  public:
   explicit Pictures(const std::vector<std::string>& names) {
@@ -28,7 +28,7 @@ std::string advised(const std::string& text) {
   return text.substr(begin + 1, end - begin - 1);
 }
 
-// The refusal of a folder advises a pattern, which selects this number of slices.
+// Checks that a folder is refused, and that the advised pattern selects this number of slices.
 void check_advice(const std::vector<std::string>& names, const std::string& what,
                   const std::string& pattern, std::uint32_t expected) {
   const Pictures pictures(names);
@@ -49,7 +49,7 @@ TEST_CASE("names that count in two numbers are several stacks") {
                 "r02c04ch1_0.png", "r02c04ch2_0.png", "r02c04ch1_1.png", "r02c04ch2_1.png",
                 "r02c03ch1_2.png", "r02c03ch2_2.png", "r02c04ch1_2.png", "r02c04ch2_2.png"},
                what, "r02c03ch1_*.png", 3);
-  // Counted through, and yet of two channels in turn.
+  // Numbered in sequence, but of two alternating channels.
   check_advice({"0001_c0.png", "0002_c1.png", "0003_c0.png", "0004_c1.png"}, what, "*_c0.png", 2);
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("names that differ in more than numbers are several stacks") {
                "names of 2 kinds, such as 'bone1.png' (3) and 'dye1.png' (2)", "bone*.png", 3);
   check_advice({"s1.png", "s2.png", "s3.png", "overview.png"},
                "names of 2 kinds, such as 's1.png' (3) and 'overview.png' (1)", "s*.png", 3);
-  // What is before the number of one is before that of the other, too.
+  // The prefix of one number is also a prefix of the other.
   check_advice({"s1.png", "s2.png", "s3.png", "s1_mask.png", "s2_mask.png"}, "names of 2 kinds",
                "s*[0-9].png", 3);
   check_advice({"s1.png", "s12.png", "s3.png", "s1m.png", "s12m.png"}, "names of 2 kinds",

@@ -1,4 +1,4 @@
-// The commands that take a stream, decode, info and render: whole, broken and hostile ones.
+// The commands for streams (decode, info, render), with complete, damaged and hostile streams.
 #include <discmc/placement.hpp>
 
 #include "command.hpp"
@@ -110,7 +110,7 @@ TEST_CASE_FIXTURE(Workshop, "info counts simple rings and their corners") {
   CHECK(info["corners"] == "96");
   CHECK(info["normals"] == "0");
   done("extract v.nrrd --iso 100 --normals gradient -o v.dmc");
-  // At each corner.
+  // One normal per corner.
   CHECK(info_of("v.dmc")["normals"] == "96");
 }
 
@@ -152,7 +152,7 @@ TEST_CASE_FIXTURE(Workshop, "a stream of slices with a lost packet yields the ot
   write_stream(*this, "v.dmc");
   done("extract v.nrrd --iso 100 --wire slices --key-slices 5 -o s.dmc");
   const std::string whole = read("s.dmc");
-  // The third frame is the second key slice's; the first is the header.
+  // The third frame is that of the second key slice; the first is the header.
   const std::size_t second = whole.find('\0', whole.find('\0') + 1) + 1;
   const std::size_t third = whole.find('\0', second) + 1;
   write("lost.dmc", whole.substr(0, second) + whole.substr(third));
@@ -226,7 +226,7 @@ TEST_CASE_FIXTURE(Workshop, "noise and empty files are refused by name, and no f
     for (const std::string& arguments :
          {"info " + file, "decode " + file + " -o o.stl", "decode " + file + " -o o.dmc",
           "render " + file + " -o o.png"}) {
-      if (arguments == "render . -o o.png") continue;  // a folder of slices may be a volume
+      if (arguments == "render . -o o.png") continue;  // a folder may be a volume of slices
       fails(arguments, 1, {"discmc: " + file + ": "});
     }
   CHECK(contains(run("info none.dmc").error, "check the name"));
@@ -241,9 +241,9 @@ TEST_CASE_FIXTURE(Workshop, "damaged bytes and packets end in an exit code and n
   };
   for (uint32_t round = 0; round < 25; round += discmc::reference::step(3)) {
     std::string damaged = stream;
-    if (round % 2 == 0) {  // a flip the checksum sees
+    if (round % 2 == 0) {  // a change that the checksum detects
       for (int i = 0; i < 3; ++i) damaged[below(damaged.size())] = static_cast<char>(chance.byte());
-    } else {  // one that it does not
+    } else {  // a change that the checksum does not detect
       auto mended = frames;
       auto& frame = mended[1 + below(frames.size() - 1)];
       auto packet = discmc::test::packet_of(frame);
@@ -259,7 +259,7 @@ TEST_CASE_FIXTURE(Workshop, "damaged bytes and packets end in an exit code and n
       CHECK(result.code < 4);
       CHECK(result.code != 2);
       CHECK((result.code == 0 || contains(result.error, "discmc: ")));
-      CHECK(!contains(result.error, "runtime error"));  // of a sanitizer
+      CHECK(!contains(result.error, "runtime error"));  // the report of a sanitizer
       CHECK(!contains(result.error, "Sanitizer"));
     }
   }
@@ -289,7 +289,7 @@ TEST_CASE_FIXTURE(Workshop, "info lists application records and a placement, in 
   placement.space = discmc::Space::ras;
   std::uint8_t buffer[discmc::Placement::record_bytes];
   discmc::reference::require_ok(encoder.write_record(discmc::record_of(placement, buffer)));
-  discmc::test::take_all(encoder, discmc::test::events_of(volume));
+  discmc::test::encode_all(encoder, discmc::test::events_of(volume));
   write("r.dmc", text_of(line.bytes));
   const std::string info = done("info r.dmc");
   CHECK(contains(info, "record kind 9"));
@@ -320,7 +320,7 @@ TEST_CASE_FIXTURE(Workshop, "an invalid polygon is skipped and reported") {
     }
   }
   tell(Kind::region_end);
-  discmc::test::take_all(encoder, discmc::test::events_of(volume));
+  discmc::test::encode_all(encoder, discmc::test::events_of(volume));
   write("c.dmc", text_of(line.bytes));
   for (const char* arguments : {"decode c.dmc -o c.stl", "render c.dmc -o c.png --size 16,16"}) {
     const Result result = run(arguments);

@@ -1,4 +1,4 @@
-// The surface builder: lost regions forgotten, sweep rings made simple.
+// The surface builder: it removes lost regions, and makes sweep rings simple.
 #include "surface/surface_builder.hpp"
 
 #include <discmc/polygon.hpp>
@@ -21,7 +21,7 @@ using hand_made::are_same;
 using hand_made::Corners;
 using hand_made::rings_of;
 
-// All of a region but its end.
+// The events of a region without its end.
 Script begun_region(const std::vector<std::vector<Run>>& rings, Vertex start = {1, 0, 0}) {
   Script script;
   script.region(up);
@@ -49,7 +49,7 @@ void check_none(const Events& region) {
   CHECK(builder.incomplete_regions() == 1);
 }
 
-// A straight run in the plane of `up` whose links are this step.
+// A straight run in the plane of `up` with links of this step.
 Run run(const Vertex& step, std::uint32_t length = 1) {
   for (discmc::Direction direction = 0; direction < 8; ++direction)
     if (discmc::direction_vector(up, direction) == step) return Run::straight(direction, length);
@@ -104,7 +104,7 @@ TEST_CASE("regions and fragments that the decoder reports lost are forgotten") {
   events.insert(events.end(), loose.begin(), loose.end());
   const SurfaceBuilder builder = build(events);
   CHECK(are_same(builder.surface(), build(rest).surface()));
-  CHECK(builder.incomplete_regions() == 1);  // the fragment that was not joined
+  CHECK(builder.incomplete_regions() == 1);  // the fragment without a partner
 }
 
 TEST_CASE("slits are dropped, and a ring that is nothing else is no region") {
@@ -131,8 +131,8 @@ TEST_CASE("a ring that winds twice is not kept as one polygon, even without a ri
 }
 
 TEST_CASE("a ring that touches itself is split into simple rings, the outer one first") {
-  // Once around a square of 4 by 4 links, and on the way, from the middle of its first side, around
-  // a diamond inside, clockwise.
+  // Once around a square of 4 by 4 links. From the middle of its first side, the ring also goes
+  // around an inner diamond, clockwise.
   const SurfaceBuilder builder =
       build(region({{run(east, 2), run({-1, 1, 0}), run({1, 1, 0}), run({1, -1, 0}),
                      run({-1, -1, 0}), run(east, 2), run(north, 4), run(west, 4), run(south, 4)}}));
@@ -199,12 +199,12 @@ TEST_CASE("rings beyond the coordinates of any scan are no regions") {
   std::vector<Run> far(8, run(east, most));
   far.insert(far.end(), 8, run(west, most));
   check_none(region({far}));
-  check_none(region({std::vector<Run>(16, run(east, 1U << 27))}));  // once around 32 bits
+  check_none(region({std::vector<Run>(16, run(east, 1U << 27))}));  // wraps around 32 bits
   check_none(region({rectangle()}, {2147483647, 0, 0}));
 }
 
 TEST_CASE("a ring of more links than any memory holds is split where it touches itself") {
-  // A strip with a notch that ends in the middle of its other side.
+  // A strip with a notch. The tip of the notch is in the middle of the other side.
   constexpr std::int32_t half = 1 << 27;
   const SurfaceBuilder builder =
       build(region({{run(east, half), run({1, 1, 0}, 6), run({1, -1, 0}, 6), run(east, half),
@@ -249,7 +249,7 @@ TEST_CASE("regions that are only counted give the figures of regions that are ke
 }
 
 TEST_CASE("polygons are sorted by their last vertices, from below") {
-  // The heights are so far apart that polygons of two of them are sorted together.
+  // The heights are so far apart that polygons of two of them have equal sort keys.
   const Corners order = {{1, 2, -1}, {9, -1, 0}, {-1, 4, 0},    {7, 4, 0},
                          {3, 6, 0},  {1, 0, 8},  {9, 8, 5'997}, {1, 0, 5'998}};
   discmc::meshing::Polygons polygons;

@@ -1,4 +1,4 @@
-// Distances between meshes, where they are known.
+// Distances between meshes with known results.
 #include "meshes/surface_distance.hpp"
 
 #include <stdexcept>
@@ -43,7 +43,7 @@ TEST_CASE("the distance from a triangle is that to its inside, nearest side or c
   CHECK(squared_distance({4, 4, 0}, triangle) == doctest::Approx(8));
   CHECK(squared_distance({-3, -4, 0}, triangle) == doctest::Approx(25));
   CHECK(squared_distance({7, -4, 0}, triangle) == doctest::Approx(25));
-  // Beyond an obtuse corner, where two sides have it on their far side.
+  // Beyond an obtuse corner, which is the nearest point of two sides.
   CHECK(squared_distance({-3, -1, 0}, {{{0, 0, 0}, {9, 0, 0}, {-8, 1, 0}}}) ==
         doctest::Approx(121.0 / 65));
   CHECK(squared_distance({1, 1, 0}, {{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}}) == doctest::Approx(1));
@@ -59,13 +59,13 @@ TEST_CASE("the distance of a mesh to itself is 0, and of a moved square the way 
   CHECK(lifted.largest == doctest::Approx(0.25));
 }
 
-TEST_CASE("distances are from one mesh to the other, and may differ the other way") {
-  // A quarter of the large one lies below the small one.
+TEST_CASE("the distance from one mesh to another may differ from that in the other direction") {
+  // A quarter of the large square lies below the small one.
   const Distances small_to_large = distances(square(10, 0), square(20, 0));
   CHECK(small_to_large.largest < 1e-9);
   const Distances large_to_small = distances(square(20, 0), square(10, 0));
   CHECK(large_to_small.largest == doctest::Approx(std::sqrt(200)));
-  // Half of the area is beside, 5 away in the mean; a quarter beyond the corner.
+  // Half of the area is to the side, 5 away on average; a quarter is beyond the corner.
   const double beyond_corner = 10 * (std::sqrt(2) + std::asinh(1)) / 3;
   CHECK(large_to_small.mean == doctest::Approx(0.5 * 5 + 0.25 * beyond_corner).epsilon(0.001));
   CHECK(large_to_small.percentile_99 < large_to_small.largest);

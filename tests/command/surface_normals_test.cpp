@@ -21,7 +21,7 @@ void check_near(const Point& a, const Point& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) CHECK(std::abs(a[axis] - b[axis]) < 1e-12);
 }
 
-// Every face has corners of its own, as in an STL file.
+// Every face has its own vertices, as in an STL file.
 FaceMesh soup_of(const FaceMesh& mesh) {
   FaceMesh soup = mesh;
   soup.vertices_mm.clear();
@@ -53,7 +53,8 @@ TEST_CASE("the normals of a ball are close to its radii under any stretching and
     const std::vector<Point> normals = surface_normals(mesh);
     double sum = 0, worst = 0;
     for (std::size_t i = 0; i < normals.size(); ++i) {
-      Point radius{};  // of the ellipsoid: a plane's normal goes by the inverse of the spacing
+      Point
+          radius{};  // of the ellipsoid: the normal of a plane scales by the inverse of the spacing
       for (std::size_t axis = 0; axis < 3; ++axis)
         radius[axis] = (mesh.vertices_mm[i][axis] / spacing[axis] - 24.5) / spacing[axis];
       const double angle = degrees_between(radius, normals[i]);
@@ -97,7 +98,7 @@ TEST_CASE("the normals of an interpolated ball are nearly its radii") {
 }
 
 TEST_CASE("normals do not depend on the triangulation of a flat part") {
-  FaceMesh mesh;  // a roof: a square that leans to the left, and one to the right
+  FaceMesh mesh;  // a roof: one square leans to the left, one to the right
   mesh.vertices_mm = {{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 0}};
   mesh.corners = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
   mesh.face_begin = {0, 3, 6, 9, 12};
@@ -117,8 +118,8 @@ TEST_CASE("vertices at equal positions have one normal") {
     check_near(normals[i], expected[mesh.corners[i]]);
 }
 
-TEST_CASE("a triangle counts by its angle, whatever its area") {
-  // A floor nine times as long as the wall that it meets in the edge from (0,0,0) to (0,1,0).
+TEST_CASE("a triangle's normal is weighted by its angle, not by its area") {
+  // The floor is nine times as long as the wall. They meet in the edge from (0,0,0) to (0,1,0).
   FaceMesh mesh;
   mesh.vertices_mm = {{0, 0, 0}, {9, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.corners = {0, 1, 2, 0, 2, 3};
@@ -129,7 +130,7 @@ TEST_CASE("a triangle counts by its angle, whatever its area") {
   check_near(normals[3], {1, 0, 0});
 }
 
-TEST_CASE("there is no normal where no face is, or where two of them cancel each other out") {
+TEST_CASE("a vertex without faces, or with normals that cancel, has no normal") {
   FaceMesh mesh;
   mesh.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
   mesh.corners = {0, 1, 2, 0, 2, 1};

@@ -1,4 +1,4 @@
-// Thresholds that the command finds by itself.
+// Thresholds that the command chooses.
 #include "command.hpp"
 
 namespace {
@@ -6,7 +6,7 @@ namespace {
 using namespace command_tests;
 using volume_files::nrrd;
 
-// Ten voxels a row: air, tissue, bone.
+// Ten voxels per row: air, tissue, bone.
 std::string head(const std::string& values) {
   std::string samples;
   for (int row = 0; row < 9; ++row) samples += values;
@@ -89,10 +89,10 @@ TEST_CASE_FIXTURE(Workshop, "a named threshold is refused if it cannot be found"
 
 TEST_CASE_FIXTURE(Workshop, "CT from DICOM is in Hounsfield units, for any part of the body") {
   const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/u8.dcm";
-  if (run("info " + series).code != 0) return;  // where it is built without DICOM
+  if (run("info " + series).code != 0) return;  // if built without DICOM
   check_parts(run("extract " + series + " --iso skin --allow-empty -o v.stl"), 0,
               {"--iso skin: -300\n"});
-  // None of its values reaches bone.
+  // No value reaches bone.
   CHECK(contains(run("extract " + series + " --iso auto -o v.stl").error, " (otsu)\n"));
   CHECK_FALSE(contains(done("info " + series), "bone"));
 }

@@ -1,4 +1,5 @@
-// Pages of TIFF as volumes: what OME-XML, ImageJ and tifffile describe, and what other tags change.
+// Pages of TIFF as volumes: descriptions of OME-XML, ImageJ and tifffile, and the effects of other
+// tags.
 #include "command.hpp"
 #include "tiff_writer.hpp"
 
@@ -16,7 +17,7 @@ VolumeOptions chosen(std::optional<std::uint32_t> frame, std::optional<std::uint
   return options;
 }
 
-// The slices of write_pictures.py from one of them on.
+// The slices of write_pictures.py from this slice on.
 std::vector<double> slices(int first, int count) {
   std::vector<double> values = patterned(first, count);
   for (double& value : values) value = std::fmod(value + 251 * 8, 251);
@@ -28,7 +29,7 @@ void check_spacing(const VolumeInfo& info, const Spacing& expected) {
     CHECK(info.spacing_mm[axis] == doctest::Approx(expected[axis]).epsilon(1e-6));
 }
 
-// Pages of 2 by 1 voxels with their number, and a description in the first.
+// Pages of 2 by 1 voxels that contain their number, and a description in the first page.
 TiffWriter numbered(int pages, const std::string& description = {}, Tags more = {}) {
   TiffWriter tiff;
   for (int i = 0; i < pages; ++i) {
@@ -39,7 +40,7 @@ TiffWriter numbered(int pages, const std::string& description = {}, Tags more = 
   return tiff;
 }
 
-// The numbers of the pages that are slices.
+// The numbers of the pages that become slices.
 std::vector<int> pages_read(const fs::path& file, const VolumeOptions& options = {}) {
   std::vector<int> pages;
   const std::vector<double> samples = read_all(*open_volume(file, options));
@@ -49,7 +50,7 @@ std::vector<int> pages_read(const fs::path& file, const VolumeOptions& options =
 
 using Pages = std::vector<int>;
 
-// ---- written by others ----
+// ---- files of other programs ----
 
 TEST_CASE("a channel and a time of a hyperstack are chosen, in any order of its axes") {
   for (const std::string name :
@@ -129,7 +130,7 @@ std::string image(const std::string& sizes, const std::string& inside = "<TiffDa
 
 const std::string four_slices = "SizeZ=\"4\" SizeC=\"1\" SizeT=\"1\"";
 
-// A file of as many pages as slices, and the refusal of it.
+// A file with as many pages as slices; checks that it is refused.
 std::string refusal_of(const std::string& xml, int pages = 4, const VolumeOptions& options = {}) {
   const Folder folder;
   return refusal(folder.write("v.ome.tif", numbered(pages, xml).bytes()), options);
@@ -203,7 +204,7 @@ TEST_CASE_FIXTURE(Folder, "positions of OME-XML are volumes for --frame") {
   CHECK(pages_read(file, chosen(2, {})) == Pages{2, 3});
 }
 
-// Files of one page each: every one describes all files, or names the one that does.
+// Files of one page each. Each file describes all files, or names the one that does.
 class OmeSet : public Folder {
  public:
   explicit OmeSet(bool has_companion = false) {
@@ -317,7 +318,7 @@ TEST_CASE_FIXTURE(Folder,
                      .bytes());
   };
   const std::string two_pages("\1\1\2\2", 4);
-  // The directory follows the samples here, and is as long as some pages.
+  // The directory follows the samples here, and is as long as several pages.
   CHECK(pages_read(file("images=3\nslices=3\n", two_pages)) == Pages{0, 1, 2});
   CHECK(pages_read(file("images=3\nframes=3\nhyperstack=true\n", two_pages), chosen(2, {})) ==
         Pages{2});
@@ -330,7 +331,7 @@ TEST_CASE_FIXTURE(Folder,
   check_refused(write("w.tif", numbered(3, "ImageJ=1\nslices=0\n").bytes()), "slices is '0'");
 }
 
-TEST_CASE_FIXTURE(Folder, "points in time are not slices") {
+TEST_CASE_FIXTURE(Folder, "times of a series are not slices") {
   const fs::path file = write("v.tif", numbered(3, "ImageJ=1\nimages=3\nframes=3\n").bytes());
   check_refused(file, "the file holds 3 volumes of one slice each");
   check_refused(file, "if they are slices, give --axes zyx");
@@ -388,7 +389,7 @@ TEST_CASE_FIXTURE(Folder, "tifffile's shape determines the axes, with or without
   check_refused(file("{\"shape\": [4, 1, 2], \"axes\": \"TYX\"}"), "holds 4 volumes");
   check_refused(file("{\"shape\": [4, 1, 2], \"axes\": \"CYX\"}"), "holds 4 channels");
   check_refused(file("{\"shape\": [9, 1, 2]}"), "promises 9 planes");
-  // The metadata of another file, which a program has copied.
+  // The metadata of another file, copied by a program.
   CHECK(pages_read(file("{\"shape\": [9, 5, 5]}")) == Pages{0, 1, 2, 3});
   CHECK(pages_read(file("{\"shape\": 9}")) == Pages{0, 1, 2, 3});
 }
@@ -409,7 +410,7 @@ TEST_CASE_FIXTURE(Folder,
   CHECK(pages_read(two, chosen(1, {})) == Pages{2, 3});
 }
 
-TEST_CASE_FIXTURE(Folder, "files of several slices each are one volume only by --axes") {
+TEST_CASE_FIXTURE(Folder, "files with several slices each are one volume only with --axes") {
   write("a/t1.tif", numbered(4, ome(image(four_slices))).bytes());
   write("a/t2.tif", numbered(4, ome(image(four_slices))).bytes());
   check_refused(path() / "a", "2 files, of which 't1.tif' alone has 4 slices",
@@ -510,14 +511,14 @@ TEST_CASE_FIXTURE(Folder, "samples packed in bits are unpacked, the highest bit 
 TEST_CASE_FIXTURE(Folder, "a palette of greys is read as greys") {
   std::vector<std::uint32_t> greys(768);
   for (std::uint32_t i = 0; i < 768; ++i) greys[i] = (255 - i % 256) * 257;
-  // Values of 16 bits, two in each of 32.
+  // Values of 16 bits, two in each value of 32 bits.
   std::vector<std::uint32_t> packed;
   for (std::size_t i = 0; i < greys.size(); i += 2) packed.push_back(greys[i] | greys[i + 1] << 16);
   std::string bytes = TiffWriter()
                           .page(2, 1, std::string("\0\x09", 2),
                                 {{tag::photometric, whole({3})}, {320, whole(packed)}})
                           .bytes();
-  // The tag as the standard has it, in which libtiff looks for 16 bits.
+  // The tag as in the standard; libtiff expects 16 bits.
   const std::size_t at = bytes.find(std::string("\x40\x01\x04\x00\x80\x01\x00\x00", 8));
   REQUIRE(at != std::string::npos);
   bytes.replace(at, 8, std::string("\x40\x01\x03\x00\x00\x03\x00\x00", 8));

@@ -8,7 +8,7 @@
 
 namespace tiff_writer {
 
-/// The values of a tag: of 32 bits, or fractions of two of them, or text.
+/// The values of a tag: of 32 bits, fractions of two such values, or text.
 struct Values {
   enum class Kind : std::uint16_t { text = 2, whole = 4, fraction = 5 };
   Kind kind = Kind::whole;
@@ -35,10 +35,10 @@ constexpr std::uint16_t kind_of_page = 254, bits = 258, compression = 259, photo
                         sample_format = 339;
 }  // namespace tag
 
-/// A file of pages of one strip each, low bytes first.
+/// A little-endian file of pages with one strip each.
 class TiffWriter {
  public:
-  /// more: in place of the tags of 8 bits of grey.
+  /// more: tags that replace those of 8-bit grey.
   TiffWriter& page(std::uint32_t width, std::uint32_t height, const std::string& samples,
                    const Tags& more = {}) {
     const std::size_t at = append(samples);
@@ -52,7 +52,7 @@ class TiffWriter {
     return *this;
   }
 
-  /// Bytes outside every directory.
+  /// Appends bytes outside every directory.
   TiffWriter& behind(const std::string& bytes) {
     append(bytes);
     return *this;

@@ -1,4 +1,5 @@
-// Triangulation: every point kept, the area exact, nothing flat, and as round as the points allow.
+// Triangulation: it keeps every point and the exact area, has no flat triangle, and is Delaunay
+// where the points allow.
 #include "meshes/triangulator.hpp"
 
 #include <random>
@@ -55,7 +56,7 @@ bool is_between(const PlanePoint& a, const PlanePoint& b, const PlanePoint& poin
   return doubled_area(a, b, point) == 0 && along < 0;
 }
 
-// Sides, cut where a point of a ring touches the inside of one.
+// The sides, divided where a point of a ring lies inside one.
 std::set<Edge> boundary(const Rings& rings) {
   std::set<Edge> edges;
   rings.for_each_side([&](const PlanePoint& a, const PlanePoint& b) {
@@ -75,7 +76,7 @@ std::set<Edge> boundary(const Rings& rings) {
   return edges;
 }
 
-// Whether d lies in the circle around a, b and c. Limit: coordinates up to 2^13.
+// Whether d lies inside the circle through a, b and c. Limit: coordinates up to 2^13.
 bool is_inside_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
                       const PlanePoint& d) {
   const auto term = [&d](const PlanePoint& lifted, const PlanePoint& from, const PlanePoint& to) {
@@ -85,8 +86,8 @@ bool is_inside_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint
   return term(a, b, c) + term(b, c, a) + term(c, a, b) > 0;
 }
 
-// The whole contract. What bounds the triangles is what bounds the polygon, and nothing covers
-// anything twice: so every point is a corner, and there are no T-junctions.
+// Checks all promises. The boundary of the triangles is that of the polygon, and no point is
+// covered twice. So every point is a corner, and there are no T-junctions.
 void check_contract(const Rings& rings, const std::vector<Triangle>& triangles) {
   std::map<Edge, PlanePoint> apexes;
   std::int64_t area = 0, flat = 0, twice = 0;
@@ -128,8 +129,8 @@ void check_contract(const Rings& rings) {
   check_contract(rings, triangulate(rings));
 }
 
-// The boundary of the squares that are on, which may touch at their corners; some of the points on
-// its straight sides are kept.
+// The boundary of the squares that are on, which may touch at their corners. Some points on its
+// straight sides are kept.
 Rings outlines(const std::vector<std::vector<bool>>& on, std::minstd_rand& random) {
   const auto is_on = [&on](std::int64_t x, std::int64_t y) {
     const auto height = static_cast<std::int64_t>(on.size());
@@ -220,7 +221,7 @@ TEST_CASE("a wall with thousands of holes is triangulated") {
   CHECK(area == 2 * (101 * 101 - 2500));
 }
 
-TEST_CASE("one triangulator takes polygon after polygon") {
+TEST_CASE("a triangulator is reusable for further polygons") {
   Triangulator triangulator;
   const Rings large = rings({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {3, 6}, {6, 6}, {6, 3}}});
   const Rings small = rings({{{0, 0}, {1, 0}, {0, 1}}});
@@ -255,13 +256,13 @@ TEST_CASE("rings that bound no polygon have no triangles") {
   CHECK(!bound_a_polygon({{{0, 0}, {0, 4}, {4, 4}, {4, 0}}}));
   CHECK(!bound_a_polygon({square, {{9, 1}, {9, 3}, {10, 3}}}));
   CHECK(!bound_a_polygon({square, {{1, 1}, {3, 1}, {3, 3}}}));
-  // They cross.
+  // Sides cross.
   CHECK(!bound_a_polygon({square, {{1, 1}, {1, 3}, {9, 2}}}));
   CHECK(!bound_a_polygon({{{2, 0}, {8, 4}, {0, 4}, {6, 0}, {4, 7}}}));  // a star
-  // They share a stretch.
+  // Sides overlap.
   CHECK(!bound_a_polygon({square, {{0, 1}, {0, 3}, {2, 2}}}));
   CHECK(!bound_a_polygon({{{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}}}));
   CHECK(!bound_a_polygon({{{0, 0}, {4, 0}}}));                  // two points
-  CHECK(!bound_a_polygon({{{0, 0}, {4, 0}, {4, 0}, {4, 4}}}));  // a side of no length
+  CHECK(!bound_a_polygon({{{0, 0}, {4, 0}, {4, 0}, {4, 4}}}));  // a side of length 0
   CHECK(!bound_a_polygon({{{0, 0}, {max_plane_coordinate + 1, 0}, {4, 4}}}));
 }

@@ -1,4 +1,4 @@
-// discmc tune: what a device makes of a volume, and the code for its firmware.
+// discmc tune: the cost of a volume on a device, and the code for its firmware.
 #include <discmc/extractor.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <sstream>
@@ -23,7 +23,7 @@ std::string with_commas(std::uint64_t value) {
   return text;
 }
 
-// The words of the line that begins so, or none.
+// The words of the line with this beginning, or none.
 std::vector<std::string> words_of(const std::string& text, const std::string& begin) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -34,7 +34,7 @@ std::vector<std::string> words_of(const std::string& text, const std::string& be
   return {};
 }
 
-// The text below a heading, to the next one.
+// The text from a heading to the next one.
 std::string code_of(const std::string& report, const std::string& heading) {
   const std::size_t at = report.find("---- " + heading + " ----\n");
   REQUIRE(at != std::string::npos);

@@ -5,7 +5,7 @@ namespace {
 
 using namespace command_tests;
 
-// Arguments, and the whole message.
+// Arguments, and the complete message.
 void check_said(const std::string& arguments, const std::string& said) {
   const Result result = Workshop().run(arguments);
   INFO(arguments);
@@ -34,7 +34,7 @@ TEST_CASE("an unknown command without a similar one is answered with the list of
 TEST_CASE_FIXTURE(Workshop,
                   "a file in place of a command is answered with what to write, which works") {
   write("scan.nrrd", discmc::reference::box({6, 5, 4}, {1, 1, 1}, {4, 3, 2}));
-  // The text between `before` and a comma or the end of the line.
+  // The text from `before` to a comma or the end of the line.
   const auto advice = [&](const std::string& arguments, const std::string& before) {
     const Result result = run(arguments);
     INFO(result.error);

@@ -1,4 +1,4 @@
-// Normals of merged meshes, from their polygons and from the samples.
+// Normals of merged meshes, computed from their polygons or from the samples.
 #include "meshes/vertex_normals.hpp"
 
 #include "hand_made.hpp"
@@ -19,7 +19,7 @@ using discmc::reference::Size;
 using discmc::test::Chance;
 using sample_reader::SampleReader;
 
-// The spacings: axes in both directions, and anisotropic voxels.
+// The tested spacings: axes in both directions, and anisotropic voxels.
 const std::vector<Point> all_signs = [] {
   std::vector<Point> result;
   for (const double x : {0.5, -0.5})
@@ -47,7 +47,7 @@ void set_gradient_normals_of(const SampleVolume<int>& volume, SampleType type, F
   set_gradient_normals(reader, mesh);
 }
 
-// A polygon's area vector, from its rings as they lie in space. Units: square millimetres.
+// A polygon's area vector, computed from its rings in space. Units: square millimetres.
 Point area_in_space(const Polygon& polygon, const Point& spacing_mm) {
   const auto in_space = [&](const Vertex& v) {
     return Point{v.x * spacing_mm[0] / 2, v.y * spacing_mm[1] / 2, v.z * spacing_mm[2] / 2};
@@ -103,7 +103,8 @@ TEST_CASE("a polygon is weighted by its area in space without holes, for any tri
       const Surface surface = box_with_hole(spacing);
       FaceMesh mesh = build_mesh(surface, {true, faces});
       set_polygon_normals(surface, mesh);
-      // In half-steps 8 x 8 each, but the lids without 4 x 4, and 4 x 8 within the hole.
+      // Side walls of 8 x 8 half-steps, lids of 8 x 8 without 4 x 4, and walls of 4 x 8 in the
+      // hole.
       const auto in_space = [&](double x, double y, double z) {
         return Point{x / spacing[0], y / spacing[1], z / spacing[2]};
       };
@@ -154,7 +155,7 @@ TEST_CASE("gradient normals are at most 0.1 degree from double precision, for al
       set_gradient_normals_of(volume, kind.type, mesh);
       const NormalAngles angles = compare(mesh, volume);
       CHECK(angles.fixed_point.count > mesh.lattice.size() / 3);
-      CHECK(angles.fixed_point.worst > 0.001);  // or nothing was measured
+      CHECK(angles.fixed_point.worst > 0.001);  // otherwise nothing was measured
       CHECK(angles.fixed_point.worst <= 0.1);
       CHECK(angles.octahedral.worst < 1);
     }

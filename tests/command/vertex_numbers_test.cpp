@@ -1,4 +1,5 @@
-// Numbers of lattice vertices: one for each, in any order, of all corners at once or one by one.
+// Numbers of lattice vertices: one per vertex, in any order, for all corners together or one by
+// one.
 #include "meshes/vertex_numbers.hpp"
 
 #include <random>
@@ -11,8 +12,8 @@ namespace {
 using discmc::Vertex;
 using discmc::meshing::VertexNumbers;
 
-// With an odd sum, in blocks that lie beside each other, many of them several times. far: at least
-// this coordinate z for some of them.
+// Vertices with an odd sum, in adjacent blocks, many of them repeated. far: the minimum coordinate
+// z of some of them.
 std::vector<Vertex> some_vertices(std::uint32_t seed, std::int32_t far) {
   std::minstd_rand random(seed);
   std::vector<Vertex> vertices;
@@ -32,7 +33,7 @@ bool is_below(const Vertex& a, const Vertex& b) {
   return discmc::precedes(a, b);
 }
 
-// Whether each of the vertices has one number, and nothing else has.
+// Whether the vertices have different numbers, and no other vertex has one.
 void check_numbers(const VertexNumbers& numbers, std::vector<Vertex> vertices) {
   std::sort(vertices.begin(), vertices.end(), is_below);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -65,7 +66,7 @@ TEST_CASE("vertices that are added are numbered in the order in which they come 
 
 TEST_CASE(
     "the corners of polygons have a number for each vertex, and keep it when more are added") {
-  constexpr std::int32_t near = 20, far = 2000000000;  // a slot for each block, and a hash
+  constexpr std::int32_t near = 20, far = 2000000000;  // a slot per block, and a hash table
   for (const std::int32_t z_of_some : {near, far}) {
     CAPTURE(z_of_some);
     std::vector<Vertex> vertices = some_vertices(1, z_of_some);

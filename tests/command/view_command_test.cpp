@@ -1,4 +1,4 @@
-// Pages that have a volume or a stream inside.
+// Pages that contain a volume or a stream.
 #include "command.hpp"
 #include "pages/page.hpp"
 
@@ -7,7 +7,7 @@ namespace {
 using namespace command_tests;
 using discmc::reference::ball;
 
-// Writes the file embedded in a page, and returns its name in the page.
+// Writes the file embedded in a page. Returns its name in the page.
 std::string unpack(const Workshop& workshop, const std::string& page, const std::string& file) {
   const std::string text = workshop.read(page);
   const std::size_t element = text.find("id=\"data\" data-name=\"");
@@ -21,7 +21,7 @@ std::string unpack(const Workshop& workshop, const std::string& page, const std:
   return text.substr(name, text.find('"', name) - name);
 }
 
-// Whether there is a page; otherwise checks the error of the command.
+// Checks whether there is a page; if not, checks the error of the command.
 bool has_page(const Workshop& workshop) {
   if (!discmc::command::page_template().empty()) return true;
   workshop.fails("view v.nrrd --no-open", 1, {"built without the page"});
@@ -29,7 +29,7 @@ bool has_page(const Workshop& workshop) {
   return false;
 }
 
-// v.nrrd, with a place in the patient.
+// v.nrrd, with a placement in the patient.
 void write_in_space(const Workshop& workshop) {
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100),
                  "space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n"
@@ -103,7 +103,7 @@ TEST_CASE_FIXTURE(Workshop,
   CHECK(unpack(*this, "page.html", "inside.glb") == "v.nrrd");
   done("extract v.nrrd -q --normals surface" + labels + "v.glb");
   const std::string inside = read("inside.glb"), expected = read("v.glb");
-  // Only the normals differ: the page has those that render draws with.
+  // Only the normals differ: the page has the normals that render uses.
   CHECK(inside.size() == expected.size());
   const std::size_t json = expected.find("accessors");
   CHECK(inside.substr(0, json) == expected.substr(0, json));

@@ -1,4 +1,4 @@
-// Small volumes as files of every format, and how to read and refuse them, for the tests of the
+// Small volumes as files of every format, and functions to read and refuse them, for tests of the
 // readers.
 #pragma once
 
@@ -28,14 +28,14 @@ using Dims = std::array<std::uint32_t, 3>;
 using Vector = std::array<double, 3>;
 using Spacing = Vector;
 
-/// Options of which a member has another value.
+/// Options with another value for one member.
 template <class Member, class Value>
 VolumeOptions with(Member VolumeOptions::*member, const Value& value, VolumeOptions options = {}) {
   options.*member = value;
   return options;
 }
 
-/// A folder of its own for a test, removed at its end.
+/// A test's own folder, removed at its end.
 class Folder {
  public:
   Folder()
@@ -48,7 +48,7 @@ class Folder {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
   }
-  /// In folders that it makes.
+  /// Also makes the folders of the path.
   fs::path write(const fs::path& name, const std::string& bytes) const {
     fs::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << bytes;
@@ -81,7 +81,7 @@ inline std::string gzip(const std::string& bytes) {
   return deflated(bytes, Wrapper::gzip);
 }
 
-// The test volume: 5 by 3 by 4 samples, negative ones among them where the type has any.
+// The test volume: 5 by 3 by 4 samples, some of them negative if the type allows it.
 constexpr int voxels = 5 * 3 * 4;
 
 inline double sample_at(int voxel, SampleType type) {
@@ -110,7 +110,7 @@ inline double sample_at(int voxel, SampleType type) {
   return voxel * 0.1 - 3;
 }
 
-// Slices, of 8 by 6 samples, of the volume that write_dicom.py and write_pictures.py wrote.
+// Slices of 8 by 6 samples of the volume of write_dicom.py and write_pictures.py.
 inline std::vector<double> patterned(int first, int count) {
   std::vector<double> samples;
   for (int z = first; z < first + count; ++z)
@@ -120,7 +120,7 @@ inline std::vector<double> patterned(int first, int count) {
   return samples;
 }
 
-// A number, or a sample, as a file holds it.
+// A number, or a sample, as bytes of a file.
 template <class Number>
 std::string bytes_of(Number number, bool is_big_endian = false) {
   char bytes[sizeof number];
@@ -240,7 +240,7 @@ inline void check_volume(const fs::path& file, SampleType type, const std::strin
   CHECK(read_all(*reader) == expected);
 }
 
-// Opens and reads a volume that should be refused, and returns the refusal.
+// Opens and reads a volume that should be refused. Returns the message.
 inline std::string refusal(const fs::path& file, const VolumeOptions& options = {}) {
   try {
     read_all(*open_volume(file, options));
@@ -261,7 +261,7 @@ void check_refusal(const std::string& text, const Parts&... parts) {
     CHECK(text.find(part) != std::string::npos);
 }
 
-// Checks that a volume is refused, with all parts in the text.
+// Checks that a volume is refused with a message that contains all parts.
 template <class... Parts>
 void check_refused(const fs::path& file, const VolumeOptions& options, const Parts&... parts) {
   check_refusal(refusal(file, options), parts...);

@@ -1,4 +1,4 @@
-// Readers note each assumption and each omission.
+// Readers report each assumption and each omission in a note.
 #include "volume_files.hpp"
 
 namespace {
@@ -27,7 +27,7 @@ const std::string vtk =
     "DIMENSIONS 5 3 4\n";
 const std::string scalars = "POINT_DATA 60\nSCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
 
-/// The notes after all of a volume has been read.
+/// The notes after reading the whole volume.
 Notes notes_of(const fs::path& file, const VolumeOptions& options = {}) {
   const auto reader = open_volume(file, options);
   read_all(*reader);
@@ -134,7 +134,7 @@ TEST_CASE_FIXTURE(Folder, "further arrays in VTK's files are noted") {
   CHECK(notes_of(write("v.vti", vti(spacing, "Scalars=\"a\">" + in_place))) == Notes{no_unit});
 }
 
-TEST_CASE("a note is given once") {
+TEST_CASE("a note is printed once") {
   VolumeInfo info;
   note(info, "a");
   note(info, "b");

@@ -1,4 +1,4 @@
-// Parts of volumes, and volumes of fewer voxels: their samples, and where they lie.
+// Parts of volumes, and volumes with fewer voxels: their samples and positions.
 #include <discmc/front/downsampler.hpp>
 #include <discmc/front/row_cropper.hpp>
 
@@ -36,7 +36,7 @@ VolumeOptions with_shrink(VolumeOptions options, std::uint32_t extent,
   return options;
 }
 
-// Where a voxel has its centre; also between voxels.
+// The position of the centre of a voxel, or of a point between voxels.
 Place place(const VolumeInfo& info, const Place& voxel) {
   const VolumePlacement at = info.placement.value_or(along_coordinates(info.spacing_mm));
   Place result = at.origin_mm;
@@ -45,7 +45,7 @@ Place place(const VolumeInfo& info, const Place& voxel) {
   return result;
 }
 
-// Voxel v of the part is where `first` + `step` v of the whole is.
+// Checks that voxel v of the part has the position of `first` + `step` v of the whole.
 void check_places(const VolumeInfo& part, const VolumeInfo& whole, const Place& first,
                   double step) {
   for (const Place& voxel : {Place{0, 0, 0}, Place{1, 0, 0}, Place{0, 1, 0}, Place{0, 0, 1}}) {
@@ -63,7 +63,7 @@ const std::vector<std::string> placements = {
     "", "spacings: 0.5 2 3\n", "space dimension: 3\nspace directions: (0.5,0,0) (0,-2,0) (0,0,3)\n",
     "space: LPS\nspace directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n"};
 
-// The samples of one block of up to 2 x 2 x 2 become one.
+// The mean of one block of up to 2 x 2 x 2 samples.
 template <class Sample>
 Sample shrunk_block(const std::vector<Sample>& samples, SampleType type,
                     BlockValue value = BlockValue::mean) {
@@ -174,7 +174,8 @@ TEST_CASE_FIXTURE(Folder, "a block becomes the mean of its samples, also if the 
       REQUIRE(reader->info().dims == blocks);
       CHECK(reader->info().type == type);
 
-      std::map<std::array<std::uint32_t, 3>, std::pair<int, int>> sums;  // and counts, by z, y, x
+      std::map<std::array<std::uint32_t, 3>, std::pair<int, int>>
+          sums;  // numbered in the order z, y, x
       for (std::uint32_t i = 0; i < samples.size(); ++i) {
         const std::uint32_t x = i % 7, y = i / 7 % 9, z = i / 63;
         auto& [sum, count] = sums[{z / extent, y / extent, x / extent}];
@@ -195,7 +196,7 @@ TEST_CASE_FIXTURE(Folder, "a block becomes the mean of its samples, also if the 
     }
 }
 
-// The voxels of the same volume that a device takes.
+// The same volume as shrunk on a device.
 TEST_CASE_FIXTURE(Folder, "a device that crops or averages has the voxels of --crop and --shrink") {
   using namespace discmc;
   const auto file = write("v.raw", stored(SampleType::i16));
@@ -272,7 +273,7 @@ TEST_CASE("a block of labels becomes the most frequent one, of several the first
 
 TEST_CASE_FIXTURE(Folder,
                   "the labels of blocks are those of their own voxels, even in partial blocks") {
-  // Blocks of 2 x 2 x 2 with a label each, their number, and one voxel of another.
+  // Blocks of 2 x 2 x 2, each with its number as a label, and one voxel of another label.
   const Dims size = {5, 3, 3};
   std::vector<std::uint8_t> labels;
   for (std::uint32_t i = 0; i < 45; ++i) {

@@ -1,4 +1,4 @@
-// The placement of a volume, in each format.
+// The placement of a volume in each format.
 #include "samples/volume_placement.hpp"
 
 #include "volume_files.hpp"
@@ -33,7 +33,7 @@ VolumeInfo nifti_info(const Folder& folder, const Nifti& nifti) {
   return open_volume(folder.write("v.nii", nifti.file(u8)))->info();
 }
 
-// srow_x, srow_y and srow_z, with the code that makes them valid.
+// srow_x, srow_y and srow_z, with the code that declares them valid.
 Nifti with_sform(Nifti nifti, const std::vector<float>& rows) {
   nifti.integer(254, 2, 1);
   for (std::size_t i = 0; i < rows.size(); ++i) nifti.real(280 + 4 * i, rows[i]);
@@ -43,13 +43,13 @@ Nifti with_sform(Nifti nifti, const std::vector<float>& rows) {
 void check_placement(const VolumeInfo& info, Space space, const Vector& origin, const Axes& axes) {
   REQUIRE(info.placement);
   CHECK(info.placement->space == space);
-  constexpr double rounding = 1e-6;  // of numbers in 32 bits
+  constexpr double rounding = 1e-6;  // of 32-bit numbers
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(std::fabs(info.placement->origin_mm[i] - origin[i]) < rounding);
     for (std::size_t axis = 0; axis < 3; ++axis)
       CHECK(std::fabs(info.placement->axes_mm[axis][i] - axes[axis][i]) < rounding);
   }
-  // Left out, the rest of the placement turns and moves the surface: it never mirrors it.
+  // Without it, the rest of the placement rotates and translates the surface, and never mirrors it.
   const Vector& s = info.spacing_mm;
   CHECK((s[0] * s[1] * s[2] < 0) == (determinant(info.placement->axes_mm) < 0));
 }
@@ -168,7 +168,7 @@ TEST_CASE_FIXTURE(Folder, "a space that NRRD does not have is noted") {
 }
 
 TEST_CASE_FIXTURE(Folder, "NIfTI's sform is used unchanged, in RAS") {
-  // Sheared, and longer than in pixdim.
+  // Sheared, with longer axes than in pixdim.
   const std::vector<float> rows = {0.4F, -1, 0.5F, -90, 0.3F, 1.5F, 0, 126.5F, 0, 0.25F, 3, -72};
   const Axes axes{{{0.4, 0.3, 0}, {-1, 1.5, 0.25}, {0.5, 0, 3}}};
   const VolumeInfo info = nifti_info(*this, with_sform(nifti_of_spacing(), rows));
@@ -179,7 +179,7 @@ TEST_CASE_FIXTURE(Folder, "NIfTI's sform is used unchanged, in RAS") {
       nifti_info(*this, with_sform(nifti_of_spacing(), {0.5F, 0, 0, 1, 0, 2, 0, 2, 0, 0, 3, 3}));
   check_placement(straight, Space::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
   CHECK(straight.notes.empty());
-  // It comes before the qform; and units are those of the header.
+  // It takes precedence over the qform, and has the units of the header.
   Nifti both = with_sform(nifti_of_spacing(), rows).integer(252, 2, 1);
   check_placement(nifti_info(*this, both.integer(123, 1, 3)), Space::ras, {-0.09, 0.1265, -0.072},
                   {{{0.0004, 0.0003, 0}, {-0.001, 0.0015, 0.00025}, {0.0005, 0, 0.003}}});
@@ -187,7 +187,7 @@ TEST_CASE_FIXTURE(Folder, "NIfTI's sform is used unchanged, in RAS") {
 
 TEST_CASE_FIXTURE(Folder, "NIfTI's qform turns by its quaternion and flips z by qfac") {
   Nifti nifti = nifti_of_spacing();
-  // Half of a right angle about z: b and c are 0.
+  // Half of a right angle about z, so b and c are 0.
   nifti.integer(252, 2, 1).real(264, 0.70710678F).real(268, 7).real(272, -8).real(276, 9);
   check_placement(nifti_info(*this, nifti), Space::ras, {7, -8, 9},
                   {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, 3}}});
@@ -300,7 +300,7 @@ TEST_CASE_FIXTURE(Folder, "lengths of atoms are enlarged together, with a note")
   CHECK(noted(nrrd_info(*this, "spacings: 1 1 1e-9\n"), "is unusable, 1 mm assumed"));
 }
 
-TEST_CASE_FIXTURE(Folder, "a placement of no use becomes the coordinates, with a note") {
+TEST_CASE_FIXTURE(Folder, "an unusable placement is replaced by the coordinates, with a note") {
   const VolumeInfo flat = nrrd_info(*this,
                                     "space: LPS\nspace directions: (1,0,0) (0,2,0) (1,1,0)\n"
                                     "space origin: (1,2,3)\n");

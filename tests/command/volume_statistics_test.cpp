@@ -1,4 +1,4 @@
-// Percentiles, Otsu's threshold, and the thresholds that have names.
+// Percentiles, Otsu's threshold, and named thresholds.
 #include "statistics/volume_statistics.hpp"
 
 #include <stdexcept>
@@ -27,7 +27,7 @@ VolumeStatistics statistics_of(const std::vector<ValueCount>& counts) {
   return statistics;
 }
 
-// By the definition: the mean square distance from the means of the two parts is least.
+// By definition, the sum of squared distances from the means of both parts is minimal.
 double cost(const std::vector<ValueCount>& counts, double threshold) {
   double cost = 0;
   for (const bool above : {false, true}) {
@@ -139,9 +139,9 @@ TEST_CASE("padding outside the scanned circle of CT does not move Otsu's thresho
     CHECK(padding_value(with(padding, 400)) == padding);
     CHECK(otsu_threshold(with(padding, 400)) == expected);
   }
-  // Few of them, among air, are air.
+  // With few samples, and air beside it, the value is air and no padding.
   CHECK(!padding_value(with(-1024, 40)));
-  // What is all around a body is its background.
+  // The surroundings of a body are its background.
   CHECK(
       !padding_value(statistics_of({{-1024, 5000}, {-900, 100}, {0, 900}, {40, 2000}, {300, 80}})));
   // A value of 0 is often background. Scanners other than CT have no such values.

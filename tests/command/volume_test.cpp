@@ -1,5 +1,5 @@
-// The volume readers, on small files written here. With DISCMC_DATA naming a folder of volumes,
-// each with a JSON file that describes it, those are read as well.
+// The volume readers, on small files written here. If DISCMC_DATA names a folder of volumes with
+// JSON files that describe them, these are read, too.
 #include "volumes/volume.hpp"
 #include "samples/iso_value.hpp"
 
@@ -228,7 +228,7 @@ TEST_CASE_FIXTURE(Folder, "unsupported NRRD is refused by name") {
       {"NRRD0006\n", "'NRRD0006'"},
       {"", "begins with ''"},
   };
-  // Names that no refusal quotes by chance: the file is v.nrrd, the parts are others.
+  // Names that do not occur in messages by chance: the file is v.nrrd, the parts have other names.
   for (const auto& [bytes, part] : cases) try {
       read_all(*open_volume(write("v.nrrd", bytes)));
       FAIL_CHECK("not refused: ", part);
@@ -291,7 +291,7 @@ TEST_CASE_FIXTURE(Folder, "NIfTI gives scale and signed spacing") {
   Nifti metres = nifti;
   metres.integer(123, 1, 1);
   CHECK(info(metres).spacing_mm == Spacing{500, 2000, 3000});
-  // sform: x runs backwards, and there is an origin.
+  // sform: x runs backwards, with an origin.
   Nifti mirrored = nifti;
   mirrored.integer(254, 2, 1).real(280, -0.5F).real(300, 2).real(320, 3).real(292, 90);
   CHECK(info(mirrored).spacing_mm == Spacing{-0.5, 2, 3});

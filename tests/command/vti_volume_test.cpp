@@ -1,4 +1,4 @@
-// VTK's image in XML: what the files of other programs do not have (container_table_test.cpp).
+// VTK's image in XML: cases that the files of other programs lack (container_table_test.cpp).
 #include "volume_files.hpp"
 
 namespace {
@@ -56,7 +56,7 @@ TEST_CASE_FIXTURE(Folder,
   const auto cells = write("cells.vti", file);
   check_volume(cells, SampleType::u8, "VTK XML, raw");
   CHECK(open_volume(cells)->info().placement->origin_mm == Vector{-0.5, 3, 5});
-  // Arrays at points come first where there are both.
+  // Arrays at points have priority over those of cells.
   const std::string of_cells =
       "<CellData><DataArray type=\"Int16\" Name=\"c\" format=\"appended\" "
       "offset=\"70\"/></CellData>";
@@ -107,7 +107,7 @@ TEST_CASE_FIXTURE(Folder, "a rectilinear grid of even steps in VTK's XML is a vo
   CHECK(info.spacing_mm == Spacing{2, 0.5, 4});
   CHECK(info.placement->origin_mm == Vector{-2, 3, 1});
 
-  // In appended data they are behind the samples.
+  // Appended data follow the samples.
   const std::string array = "<DataArray type=\"UInt8\" format=\"appended\" offset=\"";
   const auto bytes = [](const std::string& values) {
     return std::string(1, static_cast<char>(values.size())) + std::string(3, '\0') + values;
@@ -125,7 +125,7 @@ TEST_CASE_FIXTURE(Folder, "a rectilinear grid of even steps in VTK's XML is a vo
 
 namespace {
 
-// The test volume in two pieces that share the points of a plane: x from 0 to 2, and from 2 to 4.
+// The test volume in two pieces with a common plane of points: x from 0 to 2, and from 2 to 4.
 class Pieces {
  public:
   Pieces() {
@@ -141,7 +141,7 @@ class Pieces {
   static std::string piece(const std::string& extent, const std::string& source) {
     return "<Piece Extent=\"" + extent + "\" Source=\"" + source + "\"/>";
   }
-  // As signed samples, these are other values.
+  // As signed samples, these have other values.
   void write_piece(const std::string& name, int first, const std::string& type,
                    int components = 1) const {
     const std::string extent =

@@ -1,4 +1,4 @@
-// VTK's legacy format, NumPy and InVesalius: what the files of other programs do not have
+// VTK's legacy format, NumPy and InVesalius: cases that the files of other programs lack
 // (container_table_test.cpp).
 #include "volume_files.hpp"
 
@@ -36,7 +36,7 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be scalars, colours or a field, and
 
 TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
   const std::string metadata = "METADATA\nINFORMATION 0\n\n";
-  const std::string eight = std::string("\0\12 3\4\5\6\7", 8);  // with a line's end in it
+  const std::string eight = std::string("\0\12 3\4\5\6\7", 8);  // with a line break in it
   const std::string field = "FIELD FieldData 2\nTIME 1 1 double\n" + eight + "\n" + metadata +
                             "N 2 1 int\n" + eight + "\n";
   check_volume(write("v.vtk", vtk(field + image + scalars + u8)), SampleType::u8, "VTK, raw");

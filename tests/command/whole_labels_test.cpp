@@ -1,4 +1,4 @@
-// Volumes of labels in whole numbers.
+// Volumes of labels with integer values.
 #include "volumes/filters/filters.hpp"
 
 #include "command.hpp"

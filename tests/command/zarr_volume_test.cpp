@@ -1,5 +1,5 @@
-// Zarr and OME-Zarr: which array is the volume, how it lies, and how its chunks are stored.
-// The files of zarr in Python and of zarrita are in container_table_test.
+// Zarr and OME-Zarr: the choice of the array, its orientation, and the storage of its chunks.
+// The test container_table reads the files of zarr in Python and of zarrita.
 #include <archive.h>
 #include <archive_entry.h>
 
@@ -35,7 +35,7 @@ const std::string u8 = stored(SampleType::u8);
 struct ZarrFolder : Folder {
   const fs::path array = path() / "array.zarr", image = path() / "image.zarr";
 
-  // An array of version 2 in one chunk, unpacked.
+  // An uncompressed array of version 2 in one chunk.
   void write_array(const fs::path& folder, const std::vector<int>& sizes,
                    const std::string& samples, const std::string& dtype = "|u1") const {
     write(folder / ".zarray",
@@ -163,7 +163,7 @@ TEST_CASE_FIXTURE(ZarrFolder,
   write(array / "1.1.1", std::string("\1\0\2\0\3\0\4\0\5\0\6\0", 12));
   const auto samples = read_all(*open_volume(array));
   std::vector<double> expected(24, -7);
-  expected[23] = 1;  // the rest of that chunk lies outside
+  expected[23] = 1;  // the rest of the chunk lies outside
   CHECK(samples == expected);
   write_metadata("<f2", "\"NaN\"");
   CHECK(std::isnan(read_all(*open_volume(array))[0]));
@@ -195,7 +195,7 @@ TEST_CASE_FIXTURE(
   check_volume(array, SampleType::u8, "Zarr", options);
   options.axes = "xzy";
   const auto samples = read_all(*open_volume(array, options));
-  CHECK(samples[1] == sample_at(15, SampleType::u8));     // the next along x
+  CHECK(samples[1] == sample_at(15, SampleType::u8));     // the next chunk along x
   CHECK(samples[4] == sample_at(1, SampleType::u8));      // along y
   CHECK(samples[4 * 5] == sample_at(5, SampleType::u8));  // along z
 }

@@ -1,4 +1,4 @@
-// Archives of zip: DICOM and pictures in them, read as from a folder.
+// Archives of zip: their DICOM files and pictures are read as from a folder.
 #include <archive.h>
 #include <archive_entry.h>
 
@@ -44,7 +44,8 @@ Members members_of(const fs::path& folder, const std::string& prefix) {
   return members;
 }
 
-// The folder for temporary files during the life of this object; other programs write elsewhere.
+// Sets the folder for temporary files during the lifetime of this object; other programs use
+// another one.
 class TemporaryFiles {
  public:
   TemporaryFiles() { setenv("TMPDIR", folder_.path().c_str(), 1); }
@@ -75,7 +76,7 @@ TEST_CASE_FIXTURE(Folder, "a zip is read like the folder that was packed, for an
     for (const std::string prefix : {"", "study/a/", "/", "../../"}) {
       INFO(packed.string(), ", prefix ", prefix);
       const auto unpacked = open_volume(packed);
-      // By its name, and by its first bytes.
+      // Recognised by its name, and by its first bytes.
       for (const std::string name : {"study.ZIP", "study"}) {
         const auto reader = open_volume(write(name, zip(members_of(packed, prefix))));
         CHECK(reader->info().format == unpacked->info().format + ", zip");
@@ -124,7 +125,7 @@ TEST_CASE_FIXTURE(Folder,
   CHECK(open_volume(packed + "/scan/*_c0.png")->info().dims[2] == 3);
   CHECK(open_volume(packed + "/scan/z0*.png")->info().format == "PNG, zip");
   CHECK_THROWS_AS(open_volume(packed + "/none/*.png"), VolumeError);
-  // So does the note on one slice.
+  // So is the note about one slice.
   const auto slice = open_volume(packed + "/scan/z2*.png");
   for (const std::vector<std::string>& notes : {slice->info().notes, slice->notes()}) {
     REQUIRE(!notes.empty());
@@ -138,7 +139,7 @@ TEST_CASE_FIXTURE(Folder, "a signal removes the unpacked zip, and two may be ope
                     command = std::string("'") + DISCMC_COMMAND + "' ",
                     place = "cd '" + path().string() + "' && ";
   write("study.zip", packed);
-  // Stopped at the opening of its output, a pipe without a reader, with the archive unpacked.
+  // Stopped while it opens its output, a pipe without a reader, with the archive unpacked.
   const std::string stopped = place + "mkfifo v.stl && { timeout -s KILL 2 " + command +
                               "extract study.zip --iso=-1000 -q -o v.stl; sleep 1; }";
   CHECK(std::system(stopped.c_str()) == 0);

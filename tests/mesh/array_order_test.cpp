@@ -1,5 +1,5 @@
-// Strides: arrays in any order of axes, and those that run backwards, have the surface of the
-// contiguous array.
+// Strides: an array in any order of axes, or with reversed axes, has the surface of the contiguous
+// array.
 #include "sampled_shapes.hpp"
 #include "test.hpp"
 
@@ -8,7 +8,7 @@ using namespace mesh_tests;
 
 namespace {
 
-// The same samples in memory where axes lie in another order, some backwards, with gaps between.
+// Copies samples to memory in which the axes have another order, some reversed, with gaps between.
 template <class Sample>
 struct Rearranged {
   Rearranged(const Array<Sample>& array, const std::array<std::size_t, 3>& order,

@@ -1,4 +1,4 @@
-// label_meshes(): a mesh per label in one pass.
+// label_meshes(): one mesh per label in one pass.
 #include "sampled_shapes.hpp"
 #include "test.hpp"
 

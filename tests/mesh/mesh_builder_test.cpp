@@ -13,7 +13,7 @@ Mesh built(const Array<Sample>& array, const Level& level, const MeshOptions& op
   std::vector<Sample> slice;
   for (auto at = array.samples.begin(); at != array.samples.end();) {
     const auto end = at + array.size[0] * array.size[1];
-    slice.assign(at, end);  // a slice may be gone when the call returns
+    slice.assign(at, end);  // a slice may be freed when the call returns
     builder.add_slice(slice.data());
     at = end;
   }

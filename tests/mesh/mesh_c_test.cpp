@@ -1,4 +1,4 @@
-// mesh.h: the C API makes the meshes of the C++ API, and lets no exception out.
+// mesh.h: the C API makes the meshes of the C++ API, and throws no exception.
 #include "discmc/mesh.h"
 
 #include "sampled_shapes.hpp"

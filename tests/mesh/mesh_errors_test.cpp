@@ -1,4 +1,4 @@
-// Errors: each names the value and the remedy.
+// Errors: each message names the value and the remedy.
 #include "sampled_shapes.hpp"
 #include "test.hpp"
 

@@ -1,4 +1,4 @@
-// mesh_of() and meshes_of(): levels, sample types, and where the vertices lie.
+// mesh_of() and meshes_of(): levels, sample types, and positions of vertices.
 #include "sampled_shapes.hpp"
 #include "test.hpp"
 
@@ -22,14 +22,14 @@ TEST_CASE("one voxel has the octahedron of its half-steps as surface") {
 TEST_CASE_TEMPLATE("samples of every type have the same triangles", Sample, std::int8_t,
                    std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
                    std::int64_t, std::uint64_t, float, double, long long, char) {
-  // Whole numbers, so that no type rounds.
+  // Whole numbers, so that no type rounds them.
   const auto whole = ball<std::int8_t>();
   Array<Sample> array{whole.size, {whole.samples.begin(), whole.samples.end()}};
   const std::vector<Triangle> expected = triangles_of(mesh_of(whole.view(), ball_level));
   REQUIRE(expected.size() > 100);
   CHECK(triangles_of(mesh_of(array.samples, array.extents(), ball_level)) == expected);
   CHECK(triangles_of(mesh_of(array.samples.data(), array.extents(), ball_level)) == expected);
-  // With fractions there is more between a sample of 49 and one of 50.
+  // With fractions, values lie between samples of 49 and 50.
   MeshOptions options;
   options.interpolates = true;
   const double level = std::is_integral_v<Sample> ? ball_level : ball_level - 0.5;
@@ -58,7 +58,7 @@ TEST_CASE("vertices of an interpolated ball lie within the tolerance of the true
   CHECK(measures_of(mesh).is_closed);
   for (const auto& vertex : mesh.vertices) {
     const auto from = difference(vertex, ball_centre);
-    // Linear interpolation between voxels is off by 1 / (8 radius).
+    // Linear interpolation between voxels has an error of 1 / (8 radius).
     CHECK(std::abs(std::sqrt(dot(from, from)) - ball_radius) < 0.02 + 1 / (8 * ball_radius));
   }
   const double sphere = 4 / 3.0 * std::acos(-1) * std::pow(ball_radius, 3);

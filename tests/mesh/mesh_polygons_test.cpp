@@ -7,7 +7,7 @@ using namespace mesh_tests;
 
 namespace {
 
-// The area of a ring as a vector, by Newell.
+// Returns the area of a ring as a vector, by Newell's method.
 std::array<double, 3> area_of(const Mesh& mesh, std::size_t ring) {
   const MeshPolygons& polygons = mesh.polygons;
   const std::size_t begin = polygons.corner_begin[ring], end = polygons.corner_begin[ring + 1];
@@ -34,7 +34,8 @@ void check_polygons(const Mesh& mesh) {
          ++ring) {
       const auto of_ring = area_of(mesh, ring);
       const double along = dot(of_ring, normal);
-      // Plane: all of the area is along the normal. Holes turn the other way.
+      // The ring is flat if its area vector has no component across the normal. Holes turn the
+      // other way.
       CHECK(std::abs(along) == doctest::Approx(std::sqrt(dot(of_ring, of_ring))));
       CHECK((along > 0) == (ring == polygons.ring_begin[polygon]));
       area += along;

@@ -12,7 +12,7 @@ using discmc::test::Bytes;
 
 namespace {
 
-// A volume with many regions, so that a part of the stream is a part of them.
+// A volume with many regions, so that a part of the stream has some of them.
 reference::BitVolume volume() {
   return reference::random({14, 13, 12}, 150, 7);
 }
@@ -24,7 +24,7 @@ Bytes region_stream(std::uint16_t scan = 0) {
 }
 
 std::vector<Bytes> streams() {
-  // Also one in so little memory that fragments are loose.
+  // Streams with ample memory, and with so little that fragments are loose.
   return {region_stream(),
           test::encode(test::events_of(volume(), minimum_capacities()), test::header_of(volume())),
           test::encode_slices(volume())};
@@ -41,7 +41,7 @@ void check_complete(const MeshReceiver& receiver) {
   CHECK(measures_of(mesh).is_closed);
 }
 
-// Pushes all bytes in portions. Returns the number of scans that ended.
+// Pushes all bytes in portions. Returns the number of completed scans.
 std::size_t push(MeshReceiver& receiver, const Bytes& bytes, std::size_t chunk) {
   std::size_t scans = 0;
   for (std::size_t at = 0; at < bytes.size();) {
@@ -111,7 +111,7 @@ TEST_CASE("a lost packet is in the report, and the mesh is that of the polygons 
     const Mesh mesh = receiver.mesh();
     CHECK(mesh.triangles.size() > 0);
     if (report.holds_slices) continue;
-    // A region is lost with any of its fragments.
+    // A region is lost if any of its fragments is lost.
     const std::uint64_t lost = test::decode(bytes).report.lost_pieces;
     CHECK(lost > 0);
     CHECK((report.fragments > 0 ? report.lost_pieces > lost : report.lost_pieces == lost));
@@ -179,7 +179,7 @@ TEST_CASE("the spacing and the placement of a stream place its mesh, unless anot
   Encoder encoder;
   REQUIRE(test::begin_stream(encoder, header, line.output()) == Status::ok);
   REQUIRE(encoder.write_record(record_of(placement, record)) == Status::ok);
-  test::take_all(encoder, test::events_of(volume()));
+  test::encode_all(encoder, test::events_of(volume()));
   while (encoder.flush() == Status::suspended) continue;
   MeshReceiver of_placed;
   CHECK(push(of_placed, line.bytes, line.bytes.size()) == 1);

@@ -1,4 +1,4 @@
-// Spacing and placement: where the mesh lies.
+// Spacing and placement: the position of the mesh.
 #include "sampled_shapes.hpp"
 #include "test.hpp"
 
@@ -41,7 +41,7 @@ TEST_CASE("a placement transforms vertices, normals and polygons by its matrix")
   const Matrix mirrored{{{0, 3, 0, 1}, {2, 0, 0, 2}, {0, 0, 4, 3}}};
   for (const Matrix& matrix : {rotated, mirrored}) {
     MeshOptions options;
-    options.spacing = {9, 9, 9};  // the placement is in place of it
+    options.spacing = {9, 9, 9};  // the placement replaces the spacing
     options.placement = matrix;
     options.polygons = true;
     options.normals = Normals::gradient;

@@ -1,4 +1,4 @@
-// Arrays of samples for the tests of the mesh library, and meshes as sets of triangles.
+// Arrays of samples for tests of the mesh library, and meshes as comparable sets of triangles.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace mesh_tests {
 
-/// An array with its extents; x runs fastest.
+/// An array with its extents. x runs fastest.
 template <class Sample>
 struct Array {
   std::array<std::int64_t, 3> size;
@@ -38,7 +38,7 @@ constexpr double ball_radius = 7.3;
 constexpr std::array<double, 3> ball_centre{9.1, 10.2, 11.3};
 constexpr std::array<std::int64_t, 3> ball_size{20, 22, 24};
 
-/// 50 on a sphere, 4 less per voxel outwards.
+/// A ball: 50 on a sphere, and 4 less per voxel outwards.
 template <class Sample>
 Array<Sample> ball() {
   return array_of<Sample>(ball_size, [](std::int64_t x, std::int64_t y, std::int64_t z) {
@@ -53,7 +53,7 @@ inline Array<std::uint8_t> array_of(const discmc::reference::BitVolume& volume) 
   return {{volume.width, volume.height, volume.depth}, volume.on};
 }
 
-/// Volumes of the oracle with one body, many bodies, cavities, and vertices where surfaces touch.
+/// Volumes of the oracle: one body, many bodies, cavities, and vertices where surfaces touch.
 inline std::vector<Array<std::uint8_t>> bit_volumes() {
   namespace reference = discmc::reference;
   return {array_of(reference::torus({30, 28, 12}, 18, 7)), array_of(reference::comb({12, 9, 7})),
@@ -71,7 +71,7 @@ inline std::vector<std::array<double, 3>> sorted(std::vector<std::array<double, 
 
 using Ring = std::vector<std::array<double, 3>>;
 
-/// The rings of all polygons in an order that depends on the surface alone.
+/// Returns the rings of all polygons in an order that depends only on the surface.
 inline std::vector<Ring> rings_of(const discmc::Mesh& mesh) {
   const discmc::MeshPolygons& polygons = mesh.polygons;
   std::vector<Ring> rings;
@@ -86,7 +86,7 @@ inline std::vector<Ring> rings_of(const discmc::Mesh& mesh) {
   return rings;
 }
 
-/// The triangles in an order that depends on the surface alone.
+/// Returns the triangles in an order that depends only on the surface.
 inline std::vector<Triangle> triangles_of(const discmc::Mesh& mesh) {
   std::vector<Triangle> triangles;
   for (const auto& corners : mesh.triangles) {
@@ -111,7 +111,7 @@ inline std::array<double, 3> difference(const std::array<double, 3>& a,
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// The volume below the triangles, with its sign: positive if they turn outwards.
+/// Returns the enclosed volume, positive if the triangles face outwards.
 inline double signed_volume(const discmc::Mesh& mesh) {
   double volume = 0;
   for (const auto& triangle : mesh.triangles)

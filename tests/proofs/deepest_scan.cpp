@@ -1,6 +1,7 @@
-// A scan to the last slice that a z coordinate can count. The surface of the last slices equals
-// that near the first, and one more slice is refused. The test pushes more slices than 24 bits can
-// count. With --all (scripts/check/prove) it pushes all of them: a thousand million in 90 seconds.
+// A scan up to the last slice that a z coordinate can count. The surface of the last slices equals
+// that of the first ones, and one more slice is refused. The test pushes more slices than 24 bits
+// can count. With --all (scripts/check/prove) it pushes all slices: a thousand million in 90
+// seconds.
 
 #include <cstdint>
 #include <cstdio>
@@ -12,7 +13,7 @@ using namespace discmc;
 
 namespace {
 
-// What is delivered, z relative to a slice; layers are counted.
+// The delivered events, with z relative to a slice. Layers are only counted.
 class Log {
  public:
   explicit Log(uint32_t slice) : origin_(2 * static_cast<int32_t>(slice)) {}
@@ -32,8 +33,8 @@ class Log {
   int32_t origin_;
 };
 
-// One voxel in each of the last three of `slices` slices. The scan begins at slice `first`, and has
-// one slice more.
+// A volume with one on voxel in each of the last three of `slices` slices. The scan begins at slice
+// `first`, and has one slice more.
 bool scan(uint32_t first, uint32_t slices, Status beyond, Log& log) {
   static uint8_t memory[Extractor16::minimum_bytes({1, 1}) + 2000];
   const Slab slab{first, first > 0};
@@ -55,7 +56,7 @@ int main(int argc, char** argv) {
   constexpr uint32_t few = 5, share = (1U << 24) + 8;
   const bool takes_all = argc == 2 && std::strcmp(argv[1], "--all") == 0;
   const uint32_t first = takes_all ? 0 : Limits::max_slices - share;
-  // The context below ends with a mark as well.
+  // The context slice below ends with a layer mark, too.
   const uint32_t layers = Limits::max_slices - first + (first > 0 ? 1 : 0);
   Log shallow(few);
   Log deep(Limits::max_slices);

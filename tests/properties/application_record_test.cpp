@@ -1,4 +1,4 @@
-// The user's own data goes with a scan, in the order of the stream.
+// The user's own data is sent with a scan, in the order of the stream.
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_config.hpp"
@@ -21,7 +21,7 @@ ApplicationRecord record_of(const Bytes& bytes, uint8_t kind = 1, uint32_t slice
   return {kind, slice, row, bytes.data(), bytes.size()};
 }
 
-// A line that is busy most of the time asks again and again.
+// Repeats the call while the line is busy.
 template <class Tell>
 void until_taken(Tell tell) {
   Status status = Status::suspended;
@@ -37,7 +37,7 @@ Bytes bytes_of_slice(uint32_t slice) {
   return Bytes(slice * 25, static_cast<uint8_t>(slice));
 }
 
-// A scan with a record before every slice, and one with nothing in it at the end.
+// A scan with a record before every slice, and an empty one at the end.
 Bytes regions_with_records(size_t bytes_at_once) {
   Line line(bytes_at_once);
   Encoder encoder;

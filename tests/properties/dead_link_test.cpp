@@ -25,14 +25,14 @@ Status push_rows(Pushes& scanner, uint32_t& row, uint32_t end) {
 
 constexpr uint32_t all_rows = 20 * 16;
 
-// A scan of the volume for regions, on its way to a line that dies; pushed until it does.
+// Pushes the rows of a volume as regions until the line fails.
 struct RegionScan {
   explicit RegionScan(LimitedLine& line) {
     require_ok(encoder.start(header_of(volume).label(), line.output()));
     require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
                                make_sink(encoder)));
     REQUIRE(push_rows(extractor, row, all_rows) == Status::suspended);
-    ++row;  // the row that suspended it was accepted
+    ++row;  // the row that suspended the scan was accepted
   }
   Encoder encoder;
   Extractor16 extractor;
@@ -40,7 +40,7 @@ struct RegionScan {
   uint32_t row = 0;
 };
 
-// What came before the line died, and when the link was back.
+// The bytes before the failure, and the time at which the link was repaired.
 Bytes arrived(const LimitedLine& dead, const Line& back) {
   Bytes bytes = dead.bytes;
   bytes.insert(bytes.end(), back.bytes.begin(), back.bytes.end());
@@ -88,7 +88,7 @@ TEST_CASE("a stream of regions reports its loss after the link recovers") {
   CHECK(received.report.regions + received.report.fragments + received.report.lost_pieces ==
         received.report.totals.regions + received.report.totals.fragments);
   CHECK_FALSE(received.report.is_complete());
-  // A receiver that comes late has a header behind the first packet.
+  // A late receiver finds a header after the first packet.
   CHECK(packet_of(frames_of(back.bytes)[1]).is(detail::wire::PacketKind::header));
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("a stream of slices continues with a key slice after the link recovers
   for (const RecordedRow& recorded : received.rows)
     if (recorded.is(RowEvent::Kind::row) && recorded.event.slice > volume.depth / 2) ++last;
   CHECK(last == volume.height * (volume.depth / 2 - 1));
-  // A receiver that comes late reads as many.
+  // A late receiver reads as many.
   const StreamReport late = decode_slices(back.bytes, {volume.width, volume.height, 0}).report;
   CHECK(late.rows == last);
 }
@@ -148,7 +148,7 @@ TEST_CASE("a change of output before the stream begins changes nothing") {
   encoder.set_output(line.output());
   const StreamHeader header = header_of(volume);
   REQUIRE(encoder.accept(start_of(header)) == SinkResult::accepted);
-  take_all(encoder, events_of(volume));
+  encode_all(encoder, events_of(volume));
   CHECK(line.bytes == encode(events_of(volume), header_of(volume)));
 }
 

@@ -1,4 +1,4 @@
-// The recorder of events: how it compares events, and that refused events are offered again.
+// The recorder of events: comparisons, and repeated offers of refused events.
 #include "oracle/event_log.hpp"
 
 #include "test.hpp"
@@ -16,9 +16,9 @@ Event event_of(Event::Kind kind) {
   return event;
 }
 
-// Whether events of a kind differ that differ in what `change` does.
+// Whether two events of a kind differ after `change`.
 template <class Change>
-bool tells(Event::Kind kind, Change change) {
+bool is_recorded(Event::Kind kind, Change change) {
   Event changed = event_of(kind);
   change(changed);
   return RecordedEvent(changed) != RecordedEvent(event_of(kind));
@@ -40,21 +40,21 @@ TEST_CASE("events are equal if the members of their kind are equal") {
     static const Statistics some{0, 0, 0, 0, 0, 1, 0, 0};
     event.statistics = &some;
   };
-  CHECK(tells(Kind::region, incidence));
-  CHECK(tells(Kind::ring, hole));
-  CHECK(tells(Kind::ring, start));
-  CHECK(tells(Kind::run, run));
-  CHECK(tells(Kind::run, normal));
-  CHECK(tells(Kind::fragment, start));
-  CHECK(tells(Kind::fragment, came));
-  CHECK(tells(Kind::skipped, row));
-  CHECK(tells(Kind::layer, slice));
-  CHECK(tells(Kind::finish, totals));
-  CHECK_FALSE(tells(Kind::region, run));
-  CHECK_FALSE(tells(Kind::ring, normal));
-  CHECK_FALSE(tells(Kind::layer, row));
-  CHECK_FALSE(tells(Kind::layer, totals));
-  CHECK_FALSE(tells(Kind::lost, incidence));
+  CHECK(is_recorded(Kind::region, incidence));
+  CHECK(is_recorded(Kind::ring, hole));
+  CHECK(is_recorded(Kind::ring, start));
+  CHECK(is_recorded(Kind::run, run));
+  CHECK(is_recorded(Kind::run, normal));
+  CHECK(is_recorded(Kind::fragment, start));
+  CHECK(is_recorded(Kind::fragment, came));
+  CHECK(is_recorded(Kind::skipped, row));
+  CHECK(is_recorded(Kind::layer, slice));
+  CHECK(is_recorded(Kind::finish, totals));
+  CHECK_FALSE(is_recorded(Kind::region, run));
+  CHECK_FALSE(is_recorded(Kind::ring, normal));
+  CHECK_FALSE(is_recorded(Kind::layer, row));
+  CHECK_FALSE(is_recorded(Kind::layer, totals));
+  CHECK_FALSE(is_recorded(Kind::lost, incidence));
 }
 
 TEST_CASE("an event is recorded once, when it is accepted") {

@@ -1,5 +1,4 @@
-// Statements about facets that meet: across the edge of a facet, and around a vertex; by
-// exhaustion.
+// Statements about adjacent facets: across the edge of a facet, and around a vertex; by exhaustion.
 #include <discmc/geometry/facet_table.hpp>
 
 #include "oracle/facet_neighbours.hpp"
@@ -19,7 +18,7 @@ void for_each_link(Facet facet, Check check) {
   for (int i = 0; i < ring.count; ++i) check(i, ring.point[i], ring.point[(i + 1) % ring.count]);
 }
 
-// Every edge of every facet that is.
+// Every edge of every facet.
 template <typename Check>
 void for_each_facet_edge(Check check) {
   for (int code = 0; code < facet_codes; ++code)
@@ -29,7 +28,7 @@ void for_each_facet_edge(Check check) {
     });
 }
 
-// The edge of `facet`, in a cell at `cell`, that runs from one vertex to another, or -1.
+// Returns the edge of `facet`, in a cell at `cell`, from one vertex to another, or -1.
 int edge_between(Facet facet, const Vertex& cell, const Vertex& from, const Vertex& to) {
   int found = -1;
   for_each_link(facet, [&](int edge, CellPoint a, CellPoint b) {
@@ -38,8 +37,8 @@ int edge_between(Facet facet, const Vertex& cell, const Vertex& from, const Vert
   return found;
 }
 
-// The four cells around an edge of the lattice, the edge's midpoint in the middle. The edge runs
-// along `axis`. Quadrant bits 0 and 1 are the side of a cell on the other two axes.
+// The four cells around an edge of the lattice. The edge runs along `axis`; its midpoint is in the
+// middle. Quadrant bits 0 and 1 are the side of a cell on the other two axes.
 struct AroundEdge {
   static constexpr int quadrants = 4;
   static constexpr int voxels = 18;  // 3 x 3 across, 2 along
@@ -48,7 +47,7 @@ struct AroundEdge {
 
   int across(int i) const { return (axis + 1 + i) % 3; }
 
-  // Voxel u, v (0 to 2) across and w (0 or 1) along.
+  // The voxel at u, v (0 to 2) across and w (0 or 1) along.
   static int voxel(int u, int v, int w) { return u + 3 * v + 9 * w; }
   static bool is_crossed(uint32_t voxel_bits) {
     return (voxel_bits >> voxel(1, 1, 0) & 1) != (voxel_bits >> voxel(1, 1, 1) & 1);
@@ -64,7 +63,7 @@ struct AroundEdge {
     return static_cast<Configuration>(bits);
   }
 
-  // The midpoint as a point of a quadrant's cell.
+  // Returns the midpoint as a point of a quadrant's cell.
   Vertex midpoint(int quadrant) const {
     std::array<int32_t, 3> p{};
     p.at(static_cast<size_t>(axis)) = 1;
@@ -74,13 +73,13 @@ struct AroundEdge {
   }
 };
 
-// A facet at the midpoint as a step around it: from the neighbour after it in the facet's ring to
-// the neighbour before it.
+// A facet at the midpoint as a step around the midpoint: from the next neighbour in the facet's
+// ring to the previous one.
 struct Step {
   size_t from, to;
 };
 
-// By quadrant and configuration: the steps that its facets make.
+// By quadrant and configuration: the steps of the facets.
 using Steps = std::array<std::array<std::vector<Step>, configurations>, AroundEdge::quadrants>;
 
 size_t neighbour_number(const Vertex& offset) {
@@ -106,7 +105,7 @@ Steps tabulate_steps(const AroundEdge& around) {
   return steps;
 }
 
-// True if the facets at the midpoint follow each other around it once and come back: a disc.
+// Whether the facets at the midpoint form one closed cycle around it, a disc.
 bool is_disc(const AroundEdge& around, const Steps& steps, uint32_t voxel_bits) {
   constexpr size_t none = AroundEdge::neighbours;
   std::array<size_t, AroundEdge::neighbours> next;
@@ -160,7 +159,7 @@ TEST_CASE("an edge inside a cell leads to the same cell, one on a face to the ce
 }
 
 TEST_CASE("around every edge midpoint the surface is a disc, in all 2^18 neighbourhoods") {
-  // The four cells around the edge hold 18 voxels, and no other cell has facets at its midpoint.
+  // The four cells around the edge have 18 voxels, and no other cell has facets at the midpoint.
   for (int axis = 0; axis < 3; ++axis) {
     CAPTURE(axis);
     const AroundEdge around{axis};

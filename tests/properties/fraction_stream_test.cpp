@@ -1,5 +1,5 @@
-// Streams of slices with fractions: what arrives equals the fractions that the samples have by
-// their definition.
+// Streams of slices with fractions: the decoded fractions equal those computed from the samples by
+// definition.
 #include <discmc/fraction.hpp>
 #include <discmc/receiver.hpp>
 
@@ -17,7 +17,7 @@ using Kind = RowEvent::Kind;
 
 namespace {
 
-// A wave with noise around the middle of the range of the samples.
+// A wave with noise around the middle of the samples' range.
 template <class Sample>
 SampleVolume<Sample> wave(const Size& size, int32_t middle, int32_t height) {
   SampleVolume<Sample> volume{size, {}};
@@ -252,7 +252,7 @@ Events events_of(const Bytes& stream, const Size& size, uint32_t levels, size_t 
   return log.events;
 }
 
-// How many vertices come before the fractions of their edge.
+// Returns the number of vertices that arrive before the fractions of their edges.
 size_t early_vertices(const Events& events, const Size& size) {
   std::set<std::pair<uint32_t, uint32_t>> rows;
   size_t early = 0;
@@ -307,7 +307,7 @@ TEST_CASE("a receiver gets the fractions of an edge before its vertex, and the s
 
 namespace {
 
-// ---- rows whose codes hold back many bytes ----
+// ---- rows with many bytes pending a carry ----
 
 constexpr uint32_t long_width = 1000;
 
@@ -317,8 +317,8 @@ struct LongRow {
   std::vector<uint16_t> entries = std::vector<uint16_t>(long_width + 2);
 };
 
-// Codes the only row of a key slice, with 2 levels. A writer takes the row, a reader fills it in.
-// Returns how many bytes a writer has written before the fractions.
+// Codes the only row of a key slice, with 2 levels. A writer reads the row, a reader fills it.
+// Returns the number of bytes written before the fractions.
 template <class Coder>
 size_t code_long_row(Coder& coder, LongRow& row) {
   using namespace detail::slices;
@@ -326,7 +326,7 @@ size_t code_long_row(Coder& coder, LongRow& row) {
   Block block(detail::trace::bit_row_bytes(long_width, 4) + SliceModel::bytes_for(false) +
               Fractions::bytes_for({long_width, 1}, 1, 2) + Arena::alignment);
   Arena arena(block.memory());
-  Surfaces surfaces;
+  CodedSurfaces surfaces;
   surfaces.start(arena, header, 4);
   Fractions fractions;
   fractions.start(arena, header);
@@ -350,7 +350,7 @@ size_t code_long_row(Coder& coder, LongRow& row) {
   else
     bytes = coder.range.final_bytes();
   FractionRow around = fractions.around(rows, 0, false);
-  around.now = &row.entries[1];
+  around.entries = &row.entries[1];
   FractionCode code;
   code.begin(around, fractions.model(0), FractionCode::KeyEdges::none, rows.off());
   while (!code.is_done()) REQUIRE(code.step(coder));
@@ -359,8 +359,8 @@ size_t code_long_row(Coder& coder, LongRow& row) {
   return bytes;
 }
 
-// Samples with this row for threshold 20,000. Their distances rise and fall as the fractions
-// require.
+// Samples with this row for threshold 20,000. Their distances from the threshold give the
+// fractions.
 std::vector<uint16_t> samples_of(const LongRow& row) {
   std::vector<uint32_t> rising(long_width), falling(long_width);
   for (uint32_t x = 1; x < long_width; ++x)
@@ -375,7 +375,8 @@ std::vector<uint16_t> samples_of(const LongRow& row) {
   return samples;
 }
 
-// A row after whose first bytes, of voxels and some fractions, a carry is pending for long.
+// A row of which the first bytes, of voxels and some fractions, are followed by a long pending
+// carry.
 LongRow row_on_the_edge(uint32_t seed) {
   LongRow row;
   Chance chance(seed);

@@ -1,8 +1,8 @@
-// Every block of a few voxels there is: the sweep finds the regions that the definition demands.
+// All blocks of a few voxels: the sweep finds the regions that the definition requires.
 //
-// A fingerprint of the regions is compared for every block, the regions themselves, ring for ring,
-// with the paper's Merge for a sample. Under an address sanitizer only every 37th of the large
-// blocks is swept.
+// A fingerprint of the regions is compared for every block. For a sample, the regions are compared
+// ring for ring with the paper's Merge. Under an address sanitizer, one in 37 of the large blocks
+// is swept.
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/surface.hpp"
@@ -23,7 +23,7 @@ class BlockScanner {
     require_ok(extractor_.start(limits_, capacities, 1, memory_.memory(), make_sink(collector_)));
   }
 
-  /// What becomes of a block, in sweep rings; it stays valid until the next scan.
+  /// The surface of a block, in sweep rings; valid until the next scan.
   const Collector& scan(const BitVolume& volume) {
     collector_ = Collector();
     require_ok(extractor_.reset());
@@ -43,7 +43,7 @@ class BlockScanner {
 
 constexpr Capacities plenty{2000, 2000};
 
-// Calls check(number, volume) for every block, or one in `stride`, until it is not "".
+// Calls check(number, volume) for every block, or one in `stride`, until it returns a fault.
 template <class Check>
 std::string for_each_block(Size size, uint64_t stride, Check check) {
   const uint64_t blocks = uint64_t{1} << size.width * size.height * size.depth;
@@ -59,7 +59,7 @@ std::string for_each_block(Size size, uint64_t stride, Check check) {
   return {};
 }
 
-// A description of the first block with other regions than the definition demands, or nothing.
+// Describes the first block whose regions differ from the definition; empty if there is none.
 std::string sweep_all(Size size, bool is_closed, uint64_t sample, uint64_t stride = 1) {
   BlockScanner scanner(size, is_closed, plenty);
   const std::string fault =
@@ -74,8 +74,8 @@ std::string sweep_all(Size size, bool is_closed, uint64_t sample, uint64_t strid
   return scanner.is_intact() ? fault : "a write outside the arena";
 }
 
-// The same of the first block whose loose fragments do not join to the regions that come out in
-// plenty of memory. Every number of slots from the least to `most` has its turn.
+// Describes the first block whose loose fragments do not join to the regions with ample memory.
+// Tries every number of slots from the minimum to `most`.
 std::string press_all(Size size, bool is_closed, uint32_t most, uint64_t stride) {
   BlockScanner scanner(size, is_closed, plenty);
   std::vector<std::unique_ptr<BlockScanner>> loose;

@@ -1,4 +1,4 @@
-// The sweep's regions on volumes of every sort: equal to the reference, and as known.
+// The sweep's regions on all kinds of volumes, compared with the reference and with known results.
 #include "oracle/agreement.hpp"
 #include "oracle/event_log.hpp"
 #include "oracle/scan.hpp"
@@ -56,7 +56,7 @@ BitVolume small_random(uint64_t seed) {
   return random(small_size(seed), static_cast<uint32_t>(10 + seed * 39 % 235), seed);
 }
 
-// What is wrong with a sweep with ample memory, or nothing.
+// Returns the fault of a sweep with ample memory, or an empty text.
 template <class Index>
 std::string fault_of(const BitVolume& volume, bool is_closed) {
   try {
@@ -119,7 +119,7 @@ void check_known(const BitVolume& volume, const Known& known) {
 
 }  // namespace
 
-TEST_CASE("shapes plain and hostile are swept as in the paper") {
+TEST_CASE("regular and hostile shapes are swept as in the paper") {
   for (const Named& shape : shapes())
     for (const bool is_closed : {true, false}) {
       INFO(shape.name, ", is_closed ", is_closed);
@@ -148,7 +148,7 @@ TEST_CASE("every combination of sides from 1 to 6 voxels is swept as in the pape
 }
 
 TEST_CASE("the sign of a ring is right for any number of turns") {
-  // More turns than the byte counts in which they are added up.
+  // More turns than a byte can count.
   for (const uint32_t side : {100U, 181U, 260U}) {
     const BitVolume volume = spiral({side, side, 1});
     CAPTURE(side);

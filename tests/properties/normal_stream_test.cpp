@@ -1,5 +1,5 @@
-// Normals on the wire: the decoder delivers the encoder's normals, and a receiver without normals
-// decodes the rest as before.
+// Normals in streams: the decoder delivers the encoder's normals, and a receiver without normals
+// decodes the rest unchanged.
 #include <discmc/normal_extractor.hpp>
 #include <discmc/stream/record_writing.hpp>
 
@@ -18,7 +18,7 @@ Bytes encode_normals(const Events& events, size_t bytes_at_once = 0) {
   return encode<NormalEncoder>(events, any_header(), bytes_at_once);
 }
 
-// The same events with normals for the runs, made by `normal_of(number of the run)`.
+// Returns the events with normals for the runs, made by `normal_of(number of the run)`.
 template <class NormalOf>
 Events with_normals(const Events& events, NormalOf normal_of) {
   Events result;
@@ -55,7 +55,7 @@ Events long_rings() {
 
 const OctahedralNormal none{0, 0};
 
-// ---- payloads by hand ----
+// ---- handwritten payloads ----
 
 void add_region(Payload& payload, uint32_t runs = 2) {
   detail::stream::Record record;
@@ -66,17 +66,17 @@ void add_region(Payload& payload, uint32_t runs = 2) {
   REQUIRE(encode_region(payload.model, record));
 }
 
-// `lacking`: the bytes at its end that are promised and not there.
+// lacking: the number of announced bytes that are missing at the end.
 void add_normals(Payload& payload, uint32_t type, const Bytes& bytes, uint32_t lacking = 0) {
   payload.model.record_kind(detail::stream::RecordKind::extension);
-  payload.model.even(8, type);
-  payload.model.even(8, static_cast<uint32_t>(bytes.size()) + lacking);
-  for (const uint8_t byte : bytes) payload.model.even(8, byte);
+  payload.model.raw_bits(8, type);
+  payload.model.raw_bits(8, static_cast<uint32_t>(bytes.size()) + lacking);
+  for (const uint8_t byte : bytes) payload.model.raw_bits(8, byte);
 }
 
 using List = std::vector<std::vector<int>>;
 
-// The normals of the runs in packets of records with these payloads.
+// Returns the normals of the runs in packets of records with these payloads.
 List normals_of(const std::vector<Bytes>& payloads) {
   Bytes stream = frames_of(encode({}))[0];
   uint8_t number = 0;
@@ -137,7 +137,7 @@ TEST_CASE("an encoder without normals omits only the normals") {
 TEST_CASE("a normal belongs only to the record after it") {
   Payload payload;
   SUBCASE("normals, then two regions") {
-    add_normals(payload, 1, {5, 6});  // differences of no bits
+    add_normals(payload, 1, {5, 6});  // differences of 0 bits
     add_region(payload);
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{5, 6}, {5, 6}, {0, 0}, {0, 0}});
@@ -162,7 +162,7 @@ TEST_CASE("a normal belongs only to the record after it") {
           List{{5, 6}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}});
   }
   SUBCASE("differences of four bits, and more normals than runs") {
-    add_normals(payload, 5, {100, 100, 0x21, 0xFF, 0xFF});  // +1 -1, then what no run has
+    add_normals(payload, 5, {100, 100, 0x21, 0xFF, 0xFF});  // +1 -1, then more than the runs
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{100, 100}, {101, 99}});
   }
@@ -173,7 +173,7 @@ TEST_CASE("a normal belongs only to the record after it") {
   }
   SUBCASE("more normals than a record has runs") {
     Bytes bytes(200, 0xFF);
-    bytes[0] = bytes[1] = 96;  // one less in each, so that the first that is too many is none
+    bytes[0] = bytes[1] = 96;  // one less in each, so that the first surplus difference is missing
     add_normals(payload, 2, bytes);
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{96, 96}, {95, 95}});

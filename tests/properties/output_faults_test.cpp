@@ -1,5 +1,5 @@
-// An output that fails at any byte, once, twice or permanently. The scan waits, and the bytes of
-// the stream are the same as without a fault.
+// An output fails at any byte: once, twice or permanently. The scan waits, and the stream equals
+// that without a failure.
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
 #include "test.hpp"
@@ -10,7 +10,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Accepts bytes up to each of its stops, then refuses a number of calls.
+// Accepts bytes up to each of its stops, then refuses several calls.
 class Stopping {
  public:
   static constexpr size_t for_ever = SIZE_MAX;
@@ -44,14 +44,14 @@ class Stopping {
   size_t asked_ = 0;
 };
 
-// A scan in little memory whose stream leaves through an encoder.
+// A scan with little memory, whose stream is sent by an encoder.
 struct Scenario {
   BitVolume volume;
   Capacities capacities;
-  uint32_t refused_in = 0;  // one offer in this many is refused before the encoder sees it
+  uint32_t refused_in = 0;  // one offer in this many is refused before the encoder receives it
 };
 
-// A sink in front of the encoder, which may be busy as well.
+// A sink in front of the encoder, which may also be busy.
 struct Gate {
   Encoder& encoder;
   uint32_t refused_in;
@@ -78,7 +78,7 @@ class Device {
         extractor_.start(limits_, scenario.capacities, 1, block_.memory(), make_sink(gate_)));
   }
 
-  /// Scans until `patience` calls in a row make no progress. True at the end.
+  /// Scans until `patience` successive calls make no progress. Returns true at the end.
   bool run(size_t patience) {
     const BitVolume& volume = scenario_.volume;
     const auto total = static_cast<uint32_t>(volume.voxels());
@@ -99,7 +99,7 @@ class Device {
     return false;
   }
 
-  /// Begins the scan anew, with another output.
+  /// Begins the scan again, with another output.
   void reset(Stopping& output) {
     begin_stream(output);
     require_ok(extractor_.reset());
@@ -143,7 +143,7 @@ Bytes stream_of(const Scenario& scenario, const std::vector<size_t>& stops = {},
   return output.bytes;
 }
 
-// The samples whose streams are short enough to stop at every byte of them.
+// Samples whose streams are short enough to test a stop at every byte.
 std::vector<Sample> short_samples() {
   std::vector<Sample> all;
   for (const Sample& sample : samples())
@@ -171,8 +171,8 @@ TEST_CASE(
         CHECK(encoder.bytes() == stop);
       }
       output.recover();
-      take_all(encoder,
-               {sample.events.begin() + static_cast<std::ptrdiff_t>(told), sample.events.end()});
+      encode_all(encoder,
+                 {sample.events.begin() + static_cast<std::ptrdiff_t>(told), sample.events.end()});
       CHECK(output.bytes == whole);
     }
   }

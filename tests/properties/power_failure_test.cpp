@@ -1,5 +1,5 @@
-// No polygon is lost if the power fails, whatever the output queues. It is the recipe of
-// docs/power-failure.md in C++ and in C, with both encoders and with two surfaces.
+// No polygon is lost if the power fails, whatever the output queues. Follows the recipe of
+// docs/power-failure.md in C++ and in C, with both encoders, and with two surfaces.
 #include <discmc/discmc.h>
 
 #include <deque>
@@ -28,7 +28,7 @@ constexpr int32_t thresholds[] = {110, 150};
 constexpr FlashGeometry geometry{128, 1024, 24};
 constexpr uint32_t max_bytes = 8000;
 
-// ---- the supply, and what depends on it ----
+// ---- the power supply, and the parts that depend on it ----
 
 /// Fails after a number of events.
 struct Power {
@@ -36,7 +36,7 @@ struct Power {
   uint64_t events = 0;
 
   bool is_on() const { return left > 0; }
-  /// Whether the power survives one more event.
+  /// Whether the power lasts for one more event.
   bool survives() {
     ++events;
     if (left != UINT64_MAX && left > 0) --left;
@@ -86,7 +86,7 @@ class Radio {
   std::deque<uint8_t> queue_;
 };
 
-/// A flash whose last operation is torn if the power fails.
+/// A flash whose last operation is interrupted if the power fails.
 class Flash {
  public:
   explicit Flash(Power& power) : power_(power) {}
@@ -216,7 +216,7 @@ class TwoSurfaceDevice : public Device {
   uint32_t row() const override { return extractors_[0].slices() * size + extractors_[0].rows(); }
   Status push(const uint8_t* samples) override { return group_.push(samples, size).status; }
   Status resume() override { return group_.resume(); }
-  // The link may hold a last frame.
+  // The link may still deliver a last frame.
   Status finish() override {
     const Status status = group_.finish();
     return status == Status::ok ? link_.flush() : status;
@@ -320,8 +320,8 @@ Bytes samples() {
   return all;
 }
 
-/// From power-on to the end of the scan, or until the power fails. Returns whether it continued a
-/// scan.
+/// Runs from power-on to the end of the scan, or until the power fails. Returns whether it
+/// continued a scan.
 bool run(Device& device, Power& power, Radio& radio, Flash& flash) {
   CheckpointStore store;
   uint8_t buffer[geometry.program_bytes];
@@ -361,7 +361,7 @@ bool run(Device& device, Power& power, Radio& radio, Flash& flash) {
   return continues;
 }
 
-/// The events of each scan that a receiver of a channel reports.
+/// Returns the events of each scan that a receiver of a channel reports.
 std::vector<Events> scans_on(uint8_t channel, const Bytes& received) {
   std::vector<Events> scans;
   EventLog log;
@@ -404,14 +404,14 @@ void check_every_failure(uint8_t surfaces, uint32_t stride) {
       flash.power_on();
       radio.received.push_back(0);
       if (run(*std::make_unique<AnyDevice>(), power, radio, flash)) ++continued;
-      // A failure after the end begins another scan, which is the same.
+      // A failure after the end begins another scan, which is equal.
       for (uint8_t channel = 0; channel < surfaces; ++channel) {
         const std::vector<Events> scans = scans_on(channel, radio.received);
         REQUIRE((scans.size() == 1 || scans.size() == 2));
         for (const Events& scan : scans) REQUIRE(scan == expected[channel]);
       }
       REQUIRE_FALSE(flash.has_broken_rules());
-      // The scan is finished: the next power-on begins another.
+      // The scan is finished, so the next power-on begins another.
       REQUIRE_FALSE(run(*std::make_unique<AnyDevice>(), power, radio, flash));
     }
     CHECK(continued > 0);

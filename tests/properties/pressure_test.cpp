@@ -1,5 +1,5 @@
-// Under pressure: a shortage costs loose fragments, never regions. At every capacity what comes out
-// joins to the reference's rings.
+// With little memory, fragments are sent loose, and no region is lost. With any capacity, the
+// output joins to the reference's rings.
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/thinned.hpp"
@@ -10,7 +10,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// One volume with one border, and what must come out of it.
+// A volume with a border, and its expected surface.
 class Pressed {
  public:
   Pressed(BitVolume volume, Border border)
@@ -21,8 +21,8 @@ class Pressed {
 
   Limits limits() const { return limits_of(volume_, plan_.border); }
 
-  /// What is wrong with a scan in this memory, or nothing. Alternates between blocks whose end
-  /// address sanitizers watch and blocks between guards.
+  /// Returns the fault of a scan in this memory, or an empty text. Alternates between blocks whose
+  /// end address sanitizers check and blocks between guards.
   template <class Index, class Room>
   std::string fault(const Room& room) const {
     try {
@@ -34,7 +34,7 @@ class Pressed {
     }
   }
 
-  /// The peaks of a scan that lacks nothing.
+  /// Returns the peaks of a scan with ample memory.
   Peaks needed() const {
     Collector collector;
     Block block(Extractor16::bytes_for(limits(), ample));
@@ -45,7 +45,8 @@ class Pressed {
     return extractor.peaks();
   }
 
-  /// What is wrong with a scan in the memory of one that was broken off by reset(), or nothing.
+  /// Returns the fault of a scan in memory whose last scan was abandoned by reset(), or an empty
+  /// text.
   std::string fault_after_reset(const Capacities& capacities) const {
     struct Switch {
       Collector* collector;
@@ -170,7 +171,7 @@ TEST_CASE("the peaks of a scan suffice as capacities for the same scan") {
   for (const BitVolume& volume : small_volumes())
     for (const Border border : {Border::closed, Border::open}) {
       const Peaks needed = Pressed(volume, border).needed();
-      // Nothing is sent while a few are left.
+      // No fragment is sent while a few slots are free.
       const Capacities capacities{2 * needed.slots + 64, needed.holes};
       Collector collector;
       scan_into<uint16_t>(collector, volume, {border}, capacities);
@@ -227,7 +228,7 @@ TEST_CASE("more memory never yields more loose fragments of a ball, and enough m
 
 TEST_CASE("a thousand layers need no more memory than the first ones, so nothing leaks") {
   for (uint64_t seed = 0; seed < 12; seed += step(3)) {
-    // A slice that is all off ends every region, so that no holes accumulate in open regions.
+    // An off slice ends every region, so that no holes accumulate in open regions.
     BitVolume period = random({7, 8, 10}, 60 + 15 * static_cast<uint32_t>(seed), seed);
     std::fill_n(period.on.begin(), 7 * 8, uint8_t{0});
     BitVolume longer({7, 8, 1000});

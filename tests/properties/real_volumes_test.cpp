@@ -1,5 +1,5 @@
-// Real scans, where there are any: the environment variable DISCMC_DATA names a folder as
-// described_volumes.hpp describes it. Without it these tests print a message and pass.
+// Real scans. The environment variable DISCMC_DATA names their folder, described in
+// described_volumes.hpp. Without it these tests print a message and pass.
 #include <cstdlib>
 #include <filesystem>
 
@@ -47,7 +47,7 @@ BitVolume read(const fs::path& file, int32_t threshold) {
   return volume;
 }
 
-// Feeds the samples themselves, slice by slice, as they come from the file.
+// Pushes the samples slice by slice, as read from the file.
 template <class Index, class Sample>
 void push_slices(Extractor<Index>& extractor, command::VolumeReader& reader) {
   std::vector<Sample> slice(size_t{extractor.limits().width} * extractor.limits().height);
@@ -84,17 +84,18 @@ StreamSize stream_size(const BitVolume& volume, uint64_t memory_bytes) {
       fragments += event.kind == Event::Kind::fragment;
       return encoder.accept(event);
     }
-    static size_t take_all(void*, const uint8_t*, size_t count) { return count; }
+    static size_t encode_all(void*, const uint8_t*, size_t count) { return count; }
 
     Encoder encoder;
     uint64_t fragments = 0;
   } counter;
-  require_ok(counter.encoder.start(test::header_of(volume).label(), {nullptr, Counter::take_all}));
+  require_ok(
+      counter.encoder.start(test::header_of(volume).label(), {nullptr, Counter::encode_all}));
   scan_into<uint16_t>(counter, volume, {}, memory_bytes);
   return {counter.encoder.bytes(), counter.fragments};
 }
 
-// The CT head of the known answers, or an empty path.
+// Returns CT head, whose results are known, or an empty path.
 fs::path ct_head() {
   for (const command::DescribedVolume& scan : scans())
     if (scan.file.stem() == "cthead") return scan.file;
@@ -197,7 +198,7 @@ TEST_CASE("more memory yields no more loose fragments of a real volume and hardl
       bytes += 2 * kib;
       INFO(scan.file.string(), ", bytes ", bytes);
       const StreamSize size = stream_size(volume, bytes);
-      // The coder learns from what comes before, which is another order.
+      // The coder learns in another order.
       CHECK(size.bytes <= before.bytes + before.bytes / 2500);
       CHECK(size.fragments <= before.fragments + before.fragments / 10000);
       before = size;

@@ -1,4 +1,4 @@
-// What must hold of the surface of any volume, by the paper's own Merge.
+// Properties of the surface of any volume, tested on the paper's Merge.
 #include "oracle/merge.hpp"
 #include "test.hpp"
 
@@ -30,8 +30,8 @@ std::vector<Named> hostile_and_plain_volumes() {
           {"dense", random({16, 15, 14}, 226, 3)}};
 }
 
-// Also every way to fill 2 x 2 x 2 voxels, alone and repeated: all configurations beside each
-// other.
+// Includes all ways to fill 2 x 2 x 2 voxels, alone and repeated, so that all configurations are
+// adjacent.
 template <typename Check>
 void for_each_volume(Check check) {
   for (const Named& named : hostile_and_plain_volumes()) {
@@ -51,7 +51,7 @@ struct LinkBefore {
   }
 };
 
-// How often a link is taken forwards less how often backwards, without the zeros.
+// Returns how often each link occurs forwards minus backwards, without zeros.
 using LinkSum = std::map<std::pair<Vertex, Vertex>, int, LinkBefore>;
 
 void add_link(LinkSum& sum, const Vertex& from, const Vertex& to) {
@@ -70,7 +70,7 @@ LinkSum sum_of_links(const std::vector<Region>& regions) {
   return sum;
 }
 
-// Twice the area (times the normal's length) by signed plane: incidence and n.p.
+// Returns twice the area, times the normal's length, by signed plane: incidence and n.p.
 using PlaneAreas = std::map<std::pair<Incidence, int64_t>, int64_t>;
 
 PlaneAreas areas_of(const std::vector<Region>& regions) {
@@ -175,7 +175,7 @@ TEST_CASE("a region is maximal: its plane does not continue across its boundary"
       size_t link_count = 0;
       for (const Region& region : regions)
         for (const Ring& ring : region.rings) link_count += ring.size();
-      // Would a link meet its opposite, both would be gone from the sum.
+      // If a link and its opposite were both present, they would cancel in the sum.
       CHECK(sum_of_links(regions).size() == link_count);
     }
   });

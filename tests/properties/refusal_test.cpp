@@ -1,5 +1,5 @@
-// A busy sink changes nothing: whichever offer it refuses, and however the caller continues, the
-// events are the same.
+// A busy sink changes nothing: for any refused offer, and any way to continue, the events are
+// equal.
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
@@ -11,11 +11,11 @@ using namespace discmc::reference;
 
 namespace {
 
-// How the caller continues after Status::suspended.
+// How the caller continues after Status::suspended:
 enum class Way : uint8_t {
   again,   ///< by the same call, with the remaining samples
   resume,  ///< by resume() until it is ok, then by the same call
-  busy,    ///< by pushing nothing, then by the same call; of the ending, by resume()
+  busy,    ///< by pushing nothing, then by the same call; an ending by resume()
 };
 
 enum class Ending : uint8_t { finish, abandon };
@@ -25,7 +25,7 @@ struct Scenario {
   Border border = Border::closed;
   Capacities capacities = ample;
   Ending ending = Ending::finish;
-  uint32_t samples = 0;  ///< that are pushed; all, or as many as come before abandon()
+  uint32_t samples = 0;  ///< that are pushed; all, or those before abandon()
 };
 
 Scenario scenario_of(const BitVolume& volume, Border border) {
@@ -60,8 +60,8 @@ void push_samples(Extractor<Index>& extractor, const Scenario& scenario, Way way
   }
 }
 
-// After the first call the ending lives on in resume(), whatever remains of a push: a second
-// finish() is not needed.
+// After the first call of finish(), resume() continues the ending, even if samples of a push
+// remain. A second finish() is not needed.
 template <class Index>
 void end(Extractor<Index>& extractor, Ending ending, Way way) {
   const auto call = [&] {
@@ -89,7 +89,7 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses = {}, Way way =
   return log;
 }
 
-// Empty when a scan with these refusals gives the events of `plain`.
+// Compares a scan with these refusals with the events of `plain`. Empty if they are equal.
 std::string difference(const Scenario& scenario, const EventLog& plain, EventLog::Refuses refuses,
                        Way way) {
   try {
@@ -101,7 +101,7 @@ std::string difference(const Scenario& scenario, const EventLog& plain, EventLog
   }
 }
 
-// Accepts a number of events, then refuses until it is opened for another log.
+// Accepts several events, then refuses until it is opened for another log.
 struct Gate {
   EventLog* log;
   uint64_t left;
@@ -113,8 +113,8 @@ struct Gate {
   }
 };
 
-// A scan that the sink stops after some events, or after a row that is skipped; then a reset, and
-// the same again without trouble.
+// A scan that the sink stops after some events, or after a skipped row. Then a reset, and the same
+// scan without refusals.
 EventLog events_after_reset(const Scenario& scenario, uint64_t taken, bool skips) {
   EventLog before, after;
   Gate gate{&before, taken};
@@ -146,7 +146,7 @@ void check_every_single_refusal(const Scenario& scenario) {
 void check_many_refusals(const Scenario& scenario) {
   const EventLog plain = run<uint16_t>(scenario);
   for (const Way way : ways) {
-    // Each event once, each four times, all of them but every 7th, and at random.
+    // Refuses each event once, each four times, all but every 7th, and at random.
     CHECK(difference(
               scenario, plain, [](uint64_t i) { return i % 2 == 0; }, way) == "");
     CHECK(difference(
@@ -190,8 +190,8 @@ bool is_held(Extractor16& extractor, const Scenario& scenario, uint32_t at) {
          (pushed.status == Status::suspended || pushed.status == Status::finished);
 }
 
-// A sink that accepts `k` events stops the scan there, whatever the caller tries. Then it recovers,
-// or the scan is abandoned for the next one in the same memory.
+// A sink that accepts `k` events stops the scan there, whatever the caller tries. Then the sink
+// recovers, or the scan is abandoned and the next one begins in the same memory.
 std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, uint64_t k) {
   bool is_dead = false;
   EventLog log([&](uint64_t offer) { return (is_dead = is_dead || offer == k); });
@@ -218,7 +218,7 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
   return receiver.log->events == plain.events ? "" : "other events";
 }
 
-// Few slots: this scenario sends loose fragments.
+// Few slots, so that loose fragments are sent.
 Scenario loose(uint64_t seed, Border border) {
   const auto step = static_cast<uint32_t>(seed % 7);
   Scenario scenario = scenario_of(random({6, 5, 5}, 60 + 25 * step, seed), border);
@@ -226,7 +226,7 @@ Scenario loose(uint64_t seed, Border border) {
   return scenario;
 }
 
-// The same with more of chance at work.
+// The same with more randomness.
 Scenario pressed(uint64_t seed) {
   const auto density = static_cast<uint32_t>(60 + 30 * (seed % 6));
   Scenario scenario = scenario_of(random({5, 6, 5}, density, seed), Border::closed);

@@ -1,5 +1,5 @@
-// The fact on which the proof rests that the outer ring of a region closes after its holes:
-// lib/DESIGN.md, "Rings, holes and regions".
+// The fact behind the proof that the outer ring of a region closes after its holes: lib/DESIGN.md,
+// "Rings, holes and regions".
 #include <discmc/geometry/facet_table.hpp>
 #include <discmc/trace/sector_derivation.hpp>
 
@@ -38,8 +38,8 @@ std::vector<Polygon> facets_near(Incidence incidence, int cells) {
   return facets;
 }
 
-// Whether a facet has a point v + t way with 0 < t <= 1. A point is on the left of a side if
-// a + b t >= 0. If any t serves, so does t = 1 or a t where the way meets a side.
+// Whether a facet has a point v + t way with 0 < t <= 1. A point is on the left of a side if a + b
+// t >= 0. If any t is a solution, so is t = 1, or a t at which the way meets a side.
 bool meets(const Polygon& facet, const Vertex& n, const Vertex& v, const Vertex& way) {
   struct Line {
     int32_t a, b;

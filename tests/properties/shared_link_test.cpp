@@ -1,4 +1,4 @@
-// Streams that share a link are separated, and a mixture never passes for a single stream.
+// Streams that share a link are separated, and a mixture is never accepted as a single stream.
 #include <discmc/byte_output.hpp>
 #include <discmc/normal_extractor.hpp>
 #include <discmc/receiver.hpp>
@@ -23,7 +23,7 @@ StreamHeader named(const BitVolume& volume, uint16_t scan, uint8_t channel) {
   return header;
 }
 
-// The frames of two streams, in turns.
+// Alternates the frames of two streams.
 Bytes mixed(const Bytes& first, const Bytes& second) {
   const std::vector<Bytes> a = frames_of(first), b = frames_of(second);
   std::vector<Bytes> frames;
@@ -51,7 +51,7 @@ Bytes slices_of(const StreamHeader& header, const BitVolume& volume) {
   return line.bytes;
 }
 
-/// The scans that a receiver reports.
+/// Returns the scans that a receiver reports.
 struct ReportedScan {
   Events events;
   StreamReport report;
@@ -124,7 +124,7 @@ TEST_CASE("two mixed scans with the same name never form a complete surface") {
     const std::vector<Bytes> a = frames_of(encode(events_of(one), header_of(one)));
     const std::vector<Bytes> b = frames_of(encode(events_of(other), header_of(other)));
     if (a.size() != b.size()) continue;
-    // Each packet is from either stream, but not all are from the same.
+    // Each packet is from either stream, but not all are from one.
     Chance chance(seed);
     for (int tries = 0; tries < 50; ++tries) {
       std::vector<Bytes> frames;
@@ -143,7 +143,7 @@ TEST_CASE("two mixed scans with the same name never form a complete surface") {
 }
 
 TEST_CASE("the digest detects packets of another scan even if all numbers match") {
-  // The same but for one voxel in the middle: all numbers agree.
+  // The same volume except for one voxel in the middle, so all numbers agree.
   BitVolume other = first_volume;
   other.on[other.voxels() / 2] ^= 1;
   std::vector<Bytes> frames = frames_of(slices_of(header_of(first_volume), first_volume));

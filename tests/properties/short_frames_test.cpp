@@ -63,7 +63,7 @@ TEST_CASE("short frames carry all regions, fragments and normals") {
       Line line;
       Encoder encoder;
       require_ok(begin_stream(encoder, header_of(volume), limited(line, length)));
-      take_all(encoder, events);
+      encode_all(encoder, events);
       check_lengths(line.bytes, length);
       const Received received = decode(line.bytes);
       CHECK(received.report.is_complete());

@@ -21,7 +21,7 @@ struct Scan {
   reference::Size size;
   std::vector<int32_t> thresholds;
   uint32_t key_slice_interval;
-  uint32_t skip_every = 0;  // one row in this many, off or repeated in turn; 0 none
+  uint32_t skip_every = 0;  // one row in this many is off or repeated, alternately; 0: none
 
   bool skips(uint32_t row) const { return skip_every > 0 && row % skip_every == skip_every - 1; }
 };
@@ -38,7 +38,7 @@ StreamHeader header_of(const Scan& scan) {
   return header;
 }
 
-// Highest in the middle, and noisy.
+// Highest in the middle, with noise.
 Bytes samples_of(const reference::Size& size) {
   Bytes samples;
   Chance chance(1994);

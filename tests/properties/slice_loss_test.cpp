@@ -1,4 +1,5 @@
-// A stream of slices over a lossy link: every loss is reported in its place, and no row is wrong.
+// A stream of slices over a lossy link: every loss is reported at its position, and no row is
+// wrong.
 #include "oracle/slice_stream.hpp"
 #include "oracle/thinned.hpp"
 #include "test.hpp"
@@ -28,7 +29,7 @@ const Sent& sent_with_keys() {
   return sent;
 }
 
-// Checks that every decoded row is right and in its place. Returns the number of missing rows.
+// Checks that every decoded row is correct and at its position. Returns the number of missing rows.
 uint64_t check_told_rows(const BitVolume& volume, const ReceivedRows& received) {
   size_t next = 0, lost = 0;
   bool is_over = false;
@@ -82,7 +83,7 @@ TEST_CASE("a loss of 256 packets before a header is detected, even after other l
   constexpr reference::Size small{40, 3, 200};
   const BitVolume volume = reference::random(small, 128, 3);
   SlicePlan plan{{1}};
-  plan.flush_every = 1;  // every packet is a row
+  plan.flush_every = 1;  // one packet per row
   const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
   constexpr size_t from_header_to_header = 1 + detail::wire::header_interval;
   constexpr size_t end = 4 * from_header_to_header, gap = 256;
@@ -100,7 +101,7 @@ TEST_CASE("a loss of 256 packets before a header is detected, even after other l
   }
 }
 
-TEST_CASE("a trailer that claims more rows than a scan can have is not believed") {
+TEST_CASE("a trailer with more rows than a scan can have is ignored") {
   const Sent& sent = sent_with_keys();
   Packet trailer = packet_of(sent.frames.back());
   std::fill_n(trailer.payload.begin() + 5, 8, uint8_t{0xFF});
@@ -127,7 +128,7 @@ TEST_CASE("a late receiver receives all rows from the next key slice on") {
   const Sent& sent = sent_with_keys();
   for (size_t first = 1; first + 2 < sent.frames.size(); first += 3) {
     CAPTURE(first);
-    // As headers come again after 64 packets, one is put where he begins.
+    // Headers are repeated after 64 packets; one of them is where the receiver starts.
     std::vector<Bytes> frames(sent.frames.begin() + static_cast<std::ptrdiff_t>(first),
                               sent.frames.end());
     frames.insert(frames.begin(), sent.frames[0]);
@@ -202,7 +203,7 @@ TEST_CASE("a flipped bit costs one or two packets and yields no wrong row") {
     check_told_rows(volume, received);
     if (received.report.is_complete()) ++complete;
   }
-  // A header that is lost before any other leaves nothing; no damage goes unnoticed.
+  // A header lost before any other leaves no trace. All other damage is detected.
   CHECK(complete == 0);
 }
 

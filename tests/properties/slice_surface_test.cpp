@@ -1,4 +1,4 @@
-// From either payload comes the same surface.
+// Streams of regions and of slices give the same surface.
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
@@ -28,8 +28,8 @@ Surface decode_surface(const Bytes& stream, const Limits& limits, size_t chunk =
   return {log.events, decoder.report(), status};
 }
 
-// A scan with rows that never came, for an extractor and for a slice encoder alike. The first row
-// of a key slice has none before it.
+// A scan with missing rows, for an extractor and for a slice encoder. The first row of a key slice
+// has no row before it.
 template <class Scanner>
 void scan(Scanner& scanner, const BitVolume& volume, bool skips) {
   for (uint32_t row = 0; row < volume.height * volume.depth; ++row) {
@@ -54,7 +54,7 @@ Events swept(const BitVolume& volume, Border border, bool skips) {
   return log.events;
 }
 
-Bytes told(const BitVolume& volume, Border border, bool skips, uint32_t interval) {
+Bytes encoded(const BitVolume& volume, Border border, bool skips, uint32_t interval) {
   Line line;
   StartedSliceEncoder encoder(header_of(volume, border), line.output(), interval);
   scan(encoder, volume, skips);
@@ -73,7 +73,7 @@ TEST_CASE("a stream of slices yields the events of an extractor with the same ro
     for (const Border border : {Border::closed, Border::open})
       for (const bool skips : {false, true})
         for (const uint32_t interval : {0U, 1U, 3U}) {
-          const Bytes stream = told(volume, border, skips, interval);
+          const Bytes stream = encoded(volume, border, skips, interval);
           const Limits limits{volume.width, volume.height, border};
           const Events events = swept(volume, border, skips);
           for (const size_t chunk : {0U, 1U, 100U})
@@ -102,7 +102,7 @@ TEST_CASE("a surface decoder decodes a stream of regions without any memory") {
 
 TEST_CASE("the surface of a stream with lost packets is closed, and lost rows are skipped") {
   const BitVolume volume = reference::ball({40, 40, 40}, {39, 39, 39}, 300);
-  const std::vector<Bytes> frames = frames_of(told(volume, Border::closed, false, 4));
+  const std::vector<Bytes> frames = frames_of(encoded(volume, Border::closed, false, 4));
   REQUIRE(frames.size() > 10);
   for (size_t lost = 1; lost + 1 < frames.size(); ++lost) {
     CAPTURE(lost);
@@ -129,7 +129,7 @@ TEST_CASE("the surface of a stream with lost packets is closed, and lost rows ar
 
 TEST_CASE("memory that is too small for a stream of slices is refused") {
   const BitVolume volume = volumes()[0];
-  const Bytes stream = told(volume, Border::closed, false, 0);
+  const Bytes stream = encoded(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
   for (const uint64_t bytes :
        {uint64_t{0}, uint64_t{100}, SliceDecoder::minimum_bytes(limits),
@@ -179,7 +179,7 @@ TEST_CASE("a call skips at most max_skipped_rows rows, whatever the stream claim
 
 TEST_CASE("a stream truncated within its first packet has no start, whatever follows") {
   const BitVolume volume = volumes()[0];
-  const Bytes stream = told(volume, Border::closed, false, 0);
+  const Bytes stream = encoded(volume, Border::closed, false, 0);
   EventLog log;
   Bytes memory(Receiver::minimum_bytes({20, 20}) + 100000);
   SurfaceDecoder decoder;
@@ -191,7 +191,7 @@ TEST_CASE("a stream truncated within its first packet has no start, whatever fol
   CHECK_FALSE(decoder.report().has_header);
   CHECK(decoder.report().damaged_packets == 2);
   CHECK(log.starts.empty());
-  // Such as a stream of another name.
+  // For example one of a stream of another name.
   std::vector<Bytes> other = frames_of(stream);
   for (Bytes& frame : other) {
     Packet packet = packet_of(frame);
@@ -204,9 +204,9 @@ TEST_CASE("a stream truncated within its first packet has no start, whatever fol
   CHECK(log.events == swept(volume, Border::closed, false));
 }
 
-TEST_CASE("give_memory() replaces the memory that was too small") {
+TEST_CASE("set_memory() replaces the memory that was too small") {
   const BitVolume volume = volumes()[0];
-  const Bytes stream = told(volume, Border::closed, false, 0);
+  const Bytes stream = encoded(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
   const size_t head = frames_of(stream)[0].size();
   for (const uint64_t bytes :
@@ -218,11 +218,11 @@ TEST_CASE("give_memory() replaces the memory that was too small") {
     reference::require_ok(decoder.start({little.data(), little.size()}, make_sink(log)));
     CHECK(decoder.push(stream.data(), head).status == Status::too_little_memory);
     const size_t least = Receiver::minimum_bytes(limits);
-    CHECK(decoder.give_memory({enough.data(), least - 1}) == Status::too_little_memory);
-    reference::require_ok(decoder.give_memory({enough.data(), enough.size()}));
+    CHECK(decoder.set_memory({enough.data(), least - 1}) == Status::too_little_memory);
+    reference::require_ok(decoder.set_memory({enough.data(), enough.size()}));
     const Bytes unlike(bytes, 0xA5);
     unpoison(little.data(), little.size());  // red zones
-    little = unlike;                         // the caller's again
+    little = unlike;                         // the caller's memory again
     reference::require_ok(decoder.push(stream.data() + head, stream.size() - head).status);
     CHECK(decoder.report().is_complete());
     CHECK(log.events == swept(volume, Border::closed, false));
@@ -233,7 +233,7 @@ TEST_CASE("give_memory() replaces the memory that was too small") {
 TEST_CASE("refusals lose no event of a stream of slices without its end") {
   const BitVolume volume = reference::random({20, 10, 6}, 90, 2);
   const Limits limits{volume.width, volume.height};
-  std::vector<Bytes> frames = frames_of(told(volume, Border::closed, false, 1));
+  std::vector<Bytes> frames = frames_of(encoded(volume, Border::closed, false, 1));
   for (; frames.size() > 1; frames.pop_back()) {
     CAPTURE(frames.size());
     const Surface surface = decode_surface(joined(frames), limits);

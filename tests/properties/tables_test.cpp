@@ -1,5 +1,5 @@
-// Statements that any wrong byte of a derived table breaks (proofs/table_mutation tries every
-// one), by exhaustion.
+// Statements that any wrong byte of a derived table breaks; by exhaustion. proofs/table_mutation
+// tries every wrong byte.
 #include "oracle/sector_statements.hpp"
 #include "oracle/table_statements.hpp"
 #include "test.hpp"

@@ -1,5 +1,5 @@
-// A stream that ends at any byte, as in a power failure. All that was certain by then is there, and
-// nothing else.
+// A stream that ends at any byte, as in a power failure. Everything that is certain has been
+// delivered, and nothing else.
 #include "oracle/stream_samples.hpp"
 #include "test.hpp"
 
@@ -12,7 +12,7 @@ using reference::Region;
 namespace {
 
 // Decodes a stream byte by byte, each from a block of its own, so that address sanitizers detect
-// reads beyond. Before every byte it calls check(). Arguments: the bytes and events so far, the
+// reads beyond. Calls check() before every byte. Its arguments: the bytes and events so far, the
 // report of a stream that ends there, and whether an open piece was reported as lost.
 template <class Check>
 Events decode_cutting(const Bytes& stream, Check check) {
@@ -20,7 +20,7 @@ Events decode_cutting(const Bytes& stream, Check check) {
   Decoder decoder;
   reference::require_ok(decoder.start(make_sink(log)));
   for (size_t count = 0; count < stream.size(); ++count) {
-    // No user may, but one that waits for bytes points to nothing of its own.
+    // A copy is valid here, because a decoder that waits for bytes has no pointers to itself.
     Decoder cut;
     std::memcpy(static_cast<void*>(&cut), &decoder, sizeof cut);
     const size_t told = log.events.size();
@@ -42,7 +42,8 @@ int32_t top_of(const Region& region) {
   return top;
 }
 
-// By slice: how many regions must be there once its mark is, so that none that ends below it lacks.
+// By slice: the number of regions that must have arrived at its mark, so that no region below it is
+// missing.
 std::vector<size_t> regions_by_mark(const Collector& whole) {
   std::vector<size_t> needed(whole.layers().size(), 0);
   for (const LayerMark& mark : whole.layers())

@@ -1,5 +1,5 @@
-// Bytes that no encoder wrote: flipped, random, or hostile under a correct checksum. None does
-// harm, none is taken for the real thing.
+// Bytes that no encoder wrote: flipped, random, or hostile with a correct checksum. None does harm,
+// and none is accepted as valid.
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
 #include "test.hpp"
@@ -10,13 +10,13 @@ using Kind = Event::Kind;
 
 namespace {
 
-// Decodes, checks the grammar, and encodes the result: an encoder must accept all events of a
+// Decodes, checks the grammar, and encodes the events. An encoder must accept all events of a
 // decoder and encode them unchanged.
 Received survive(const Bytes& bytes, size_t portion = 0) {
   const Received arrival = decode(bytes, portion);
   const std::vector<Events> pieces = pieces_of(arrival.events);
   CHECK(pieces.size() == arrival.report.regions + arrival.report.fragments);
-  const Bytes again = encode<NormalEncoder>(arrival.events);  // hostile bytes may hold normals
+  const Bytes again = encode<NormalEncoder>(arrival.events);  // hostile bytes may contain normals
   for (const Bytes& frame : frames_of(again)) CHECK(frame.size() <= detail::wire::max_frame);
   CHECK(pieces_of(decode(again).events) == pieces);
   return arrival;
@@ -160,7 +160,7 @@ TEST_CASE("changed packets under a correct checksum terminate and break no rule"
 TEST_CASE("hostile payloads with cheap decisions terminate") {
   Chance chance(5);
   for (int round = 0; round < 300; ++round) {
-    // All ones or all zeros steer the decoder along the likeliest or least likely decisions.
+    // All ones or all zeros select the most or least likely decisions.
     Bytes payload(detail::wire::max_payload, chance.below(2) == 0 ? 0xFF : 0);
     for (uint32_t i = chance.below(6); i > 0; --i) payload[chance.below(8)] = chance.byte();
     const Received arrival = survive(frame_of({2, 0, 0, payload}));

@@ -1,11 +1,11 @@
-// WIRE.md is true: its worked example is the output of the encoder, and its tables are those of the
-// code.
+// WIRE.md is correct: its worked example is the output of the encoder, and its tables are those of
+// the code.
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "oracle/slice_stream.hpp"
-#include "oracle/symbol_rows.hpp"
+#include "oracle/symbol_contexts.hpp"
 #include "test.hpp"
 
 using namespace discmc;
@@ -21,7 +21,7 @@ std::vector<std::string> document() {
   return lines;
 }
 
-// The words of the block that begins with ```name, without the remarks behind semicolons.
+// Returns the words of the block that begins with ```name, without comments after semicolons.
 std::vector<std::string> words_of_block(const std::string& name) {
   std::vector<std::string> words;
   bool is_inside = false;
@@ -41,30 +41,30 @@ Bytes single_voxel() {
   return encode(events_of(voxel), header_of(voxel));
 }
 
-// Notes every symbol and even bits as the document writes them.
+// Records every symbol and all raw bits as the document writes them.
 struct TracingCoder {
   static constexpr bool writes = false;
   detail::stream::SymbolReader reader;
   std::vector<std::string>* trace;
 
-  uint32_t symbol(uint32_t row, uint32_t) {
-    const uint32_t symbol = reader.symbol(row, 0);
-    const uint8_t* const below = detail::stream::shares + row + symbol;
-    note(std::to_string(row), symbol, (below[1] - below[0]) & 0xFF);
+  uint32_t symbol(uint32_t context, uint32_t) {
+    const uint32_t symbol = reader.symbol(context, 0);
+    const uint8_t* const below = detail::stream::cumulative_frequencies + context + symbol;
+    note(std::to_string(context), symbol, (below[1] - below[0]) & 0xFF);
     return symbol;
   }
-  uint32_t even(uint32_t bits, uint32_t) {
-    const uint32_t value = reader.even(bits, 0);
-    note("E", value, bits);
+  uint32_t raw_bits(uint32_t bits, uint32_t) {
+    const uint32_t value = reader.raw_bits(bits, 0);
+    note("R", value, bits);
     return value;
   }
 
  private:
-  void note(const std::string& row, uint32_t value, int share) {
-    trace->insert(trace->end(), {row, std::to_string(value), std::to_string(share)});
+  void note(const std::string& context, uint32_t value, int frequency) {
+    trace->insert(trace->end(), {context, std::to_string(value), std::to_string(frequency)});
   }
-  void note(const std::string& row, uint32_t value, uint32_t bits) {
-    note(row, value, static_cast<int>(bits));
+  void note(const std::string& context, uint32_t value, uint32_t bits) {
+    note(context, value, static_cast<int>(bits));
   }
 };
 
@@ -83,7 +83,7 @@ reference::BitVolume two_slices() {
   return volume;
 }
 
-// Notes every decision of a row, as the document writes it.
+// Records every decision of a row as the document writes it.
 struct TracingRowReader {
   detail::slices::RowReader reader;
   const LearntProbability* first;
@@ -95,9 +95,9 @@ struct TracingRowReader {
     note(std::to_string(&probability - first), one, bit);
     return bit;
   }
-  uint32_t even(uint32_t bits, uint32_t) {
-    const uint32_t value = reader.even(bits, 0);
-    while (bits > 0) note("E", 128, (value >> --bits & 1) != 0);
+  uint32_t raw_bits(uint32_t bits, uint32_t) {
+    const uint32_t value = reader.raw_bits(bits, 0);
+    while (bits > 0) note("R", 128, (value >> --bits & 1) != 0);
     return value;
   }
 
@@ -139,7 +139,7 @@ TEST_CASE("the symbols in WIRE.md are those of the first record and the first re
   CHECK(model.incidence(no_incidence) == 0);
   CHECK(model.corners(0) == 8);
   CHECK(model.ring_direction(9) == 1);
-  CHECK(model.length(detail::stream::rows::lengths, 0, 9) == 1);
+  CHECK(model.length(detail::stream::contexts::lengths, 0, 9) == 1);
   CHECK(trace == words_of_block("symbols"));
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume and yield 
   const Packet packet = packet_of(frames_of(encode_slices(volume))[1]);
   Bytes memory(SliceDecoder::minimum_bytes({4, 3}));
   Arena arena({memory.data(), memory.size()});
-  detail::slices::Surfaces surfaces;
+  detail::slices::CodedSurfaces surfaces;
   surfaces.start(arena, header_of(volume), detail::slices::rows_kept(3, false));
   surfaces.clear();
   surfaces.begin_key_slice();
@@ -181,7 +181,7 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume and yield 
     surfaces.next_row();
   }
   CHECK(reader.code_bit(surfaces.note(), false));
-  CHECK(reader.even(detail::slices::note_bits, 0) == 0);
+  CHECK(reader.raw_bits(detail::slices::note_bits, 0) == 0);
   CHECK(on == volume.on);
   CHECK(trace == words_of_block("slice-decisions"));
 }
@@ -199,26 +199,28 @@ TEST_CASE("the directions in WIRE.md are those of the code") {
   CHECK(rows == expected);
 }
 
-TEST_CASE("the rows in WIRE.md are those of the code") {
-  std::map<std::string, std::vector<reference::SymbolRows>> rows;
-  for (const reference::SymbolRows& row : reference::symbol_rows()) rows[row.name].push_back(row);
+TEST_CASE("the contexts in WIRE.md are those of the code") {
+  std::map<std::string, std::vector<reference::SymbolContexts>> contexts;
+  for (const reference::SymbolContexts& of : reference::symbol_contexts())
+    contexts[of.name].push_back(of);
   std::vector<std::string> lines = document();
-  const auto begin = std::find(lines.begin(), lines.end(), "## 8 Rows");
+  const auto begin = std::find(lines.begin(), lines.end(), "## 8 Contexts");
   lines = {begin, std::find(begin, lines.end(), "## 9 Records")};
-  for (const auto& [name, of_classes] : rows) {
+  for (const auto& [name, of_classes] : contexts) {
     const std::string cell = " | " + name + " | ";
     const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
       return text.find(cell) != std::string::npos;
     });
     REQUIRE_MESSAGE(line != lines.end(), cell);
     std::string first = "| ";
-    for (const reference::SymbolRows& row : of_classes) first += std::to_string(row.first) + " | ";
+    for (const reference::SymbolContexts& of : of_classes)
+      first += std::to_string(of.first) + " | ";
     CHECK_MESSAGE(line->rfind(first, 0) == 0, *line);
     if (of_classes.size() > 1) continue;
     const std::string sizes =
-        std::to_string(of_classes[0].rows) + " | " + std::to_string(of_classes[0].symbols);
+        std::to_string(of_classes[0].count) + " | " + std::to_string(of_classes[0].symbols);
     CHECK_MESSAGE(line->find(first + sizes + cell) == 0, *line);
   }
-  CHECK(rows.size() == 11 + 6);
-  CHECK(std::size(detail::stream::shares) == 556);
+  CHECK(contexts.size() == 11 + 6);
+  CHECK(std::size(detail::stream::cumulative_frequencies) == 556);
 }

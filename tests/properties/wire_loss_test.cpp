@@ -1,4 +1,4 @@
-// What a lossy link does to a stream: every loss is counted exactly, and nothing comes out wrong.
+// A stream over a lossy link: every loss is counted exactly, and no wrong event is delivered.
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
 #include "test.hpp"
@@ -10,7 +10,7 @@ using detail::wire::PacketKind;
 
 namespace {
 
-// A stream in frames, and between which of them each of its regions and fragments lies.
+// A stream in frames, and the frames of each of its regions and fragments.
 struct Sent {
   struct Span {
     size_t first, last;
@@ -38,7 +38,7 @@ struct Sent {
   std::vector<Span> pieces;
 };
 
-// The events that must arrive from the frames kept, and the report.
+// The events that must arrive from the kept frames, and the report.
 void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Received& arrival) {
   std::vector<Events> expected;
   for (const Sent::Span& span : sent.pieces)
@@ -96,7 +96,7 @@ std::vector<Bytes> packets_of_one_region(uint32_t regions) {
   Encoder encoder;
   reference::require_ok(begin_stream(encoder, any_header(), line.output()));
   for (const RecordedEvent& recorded : script.finish().events) {
-    take_all(encoder, {recorded});
+    encode_all(encoder, {recorded});
     if (recorded.is(Kind::region_end) && encoder.flush() != Status::ok)
       throw std::runtime_error("a busy line");
   }
@@ -129,7 +129,7 @@ TEST_CASE("any run of lost packets before others is counted") {
   const Sent& sent = long_stream();
   const size_t total = sent.frames.size();
   REQUIRE(total > 600);
-  const size_t after = detail::wire::header_interval + 2;  // a header is among them
+  const size_t after = detail::wire::header_interval + 2;  // one of them is a header
   for (const size_t count :
        {2U, 5U, 64U, 65U, 127U, 128U, 129U, 130U, 200U, 255U, 256U, 257U, 300U, 511U, 512U})
     for (size_t first = 0; first + count + after < total;
@@ -173,7 +173,7 @@ TEST_CASE("the trailer reports exactly the number of pieces lost before it") {
     for (const uint32_t fragments : {1U, 32768U, 70000U}) {
       Packet trailer = packet_of(frames[1]);
       trailer.pieces = static_cast<uint16_t>(regions + fragments);
-      // After the slices and the flag; the fragments are the seventh total.
+      // After the number of slices and the flag. The fragments are the seventh total.
       uint8_t* const totals = trailer.payload.data() + 4 + 1;
       detail::wire::put_long(totals + 3 * 8, regions);
       detail::wire::put_long(totals + 6 * 8, fragments);
@@ -248,7 +248,7 @@ TEST_CASE("the later of two swapped packets is decoded, and the other counts as 
   for (size_t apart = 1; apart < 100; apart += 14)
     for (size_t i = 1; i + apart + 1 < sent.frames.size(); i += 53 * reference::step(5)) {
       INFO("apart ", apart, ", i ", i);
-      // Packet i comes too late, after packet i + apart.
+      // Packet i arrives too late, after packet i + apart.
       std::vector<Bytes> frames = sent.frames;
       std::rotate(frames.begin() + static_cast<std::ptrdiff_t>(i),
                   frames.begin() + static_cast<std::ptrdiff_t>(i) + 1,
@@ -281,7 +281,7 @@ TEST_CASE("two spliced streams yield regions of either, never a mixture") {
       std::vector<Bytes> frames(first.frames.begin(), end);
       frames.insert(frames.end(), second.frames.begin() + static_cast<std::ptrdiff_t>(from),
                     second.frames.end());
-      // A region in parts may be open at the cut; if the numbers match there, the cut is invisible.
+      // A region in parts may be open at the cut. If the numbers match there, the cut is invisible.
       if (static_cast<uint8_t>(from - cut) == 0) continue;
       for (const Events& piece : pieces_of(decode(joined(frames)).events))
         CHECK((is_known(first, piece) || is_known(second, piece)));
@@ -290,7 +290,7 @@ TEST_CASE("two spliced streams yield regions of either, never a mixture") {
 
 TEST_CASE(
     "two interleaved streams yield regions of either, and a complete result is all of one stream") {
-  // Each region fits a packet: the owner of the next part of a region in parts is undefined.
+  // Each region fits a packet. The owner of the next part of a region in parts is undefined.
   const Sample round = sample_of("", reference::ball({20, 20, 20}, {19, 19, 19}, 70));
   const Sample noise = sample_of("", reference::random({13, 11, 9}, 128, 1));
   const Sent first(round.events, round.header);
@@ -298,7 +298,7 @@ TEST_CASE(
   Chance chance(8);
   for (uint32_t order = 0; order < 400; order += reference::step(3)) {
     CAPTURE(order);
-    // In runs, from single packets to nearly all of a stream.
+    // Runs of losses, from single packets to most of a stream.
     const uint32_t longest = 1 + chance.below(1 + order / 8);
     std::vector<Bytes> frames;
     for (size_t a = 0, b = 0; a < first.frames.size() || b < second.frames.size();) {

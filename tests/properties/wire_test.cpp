@@ -1,4 +1,4 @@
-// Streams as a whole: decoding returns the encoded events for any portions, and golden files pin
+// Streams as a whole: decoding returns the encoded events for any portions, and golden files fix
 // the bytes.
 #include "oracle/golden.hpp"
 #include "oracle/stream_samples.hpp"
@@ -17,7 +17,7 @@ uint64_t count_of(const Events& events, Kind kind) {
                                              [&](const RecordedEvent& t) { return t.is(kind); }));
 }
 
-// The surface that a stream describes, put together by the tests' own collector.
+// The surface of a stream, assembled by the tests' own collector.
 reference::Surface surface_in(const Bytes& stream) {
   reference::Collector collector;
   for (const RecordedEvent& recorded : decode(stream).events)
@@ -207,6 +207,6 @@ TEST_CASE("fields of one to eight bytes are read as written, with zeros beyond t
   CHECK(reader.get(4) == 0x89ABCDEF);
   CHECK(reader.get(8) == 0x0123456789ABCDEF);
   CHECK(reader.get(4) == 0);
-  const uint8_t three[] = {1, 2, 3, 0xFF};  // the reader may read two of them
+  const uint8_t three[] = {1, 2, 3, 0xFF};  // the reader may read two bytes of them
   CHECK(detail::wire::ByteReader(three, 2).get(4) == 0x0201);
 }

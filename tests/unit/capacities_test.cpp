@@ -9,7 +9,7 @@ using namespace discmc;
 
 namespace {
 
-// As firmware would write it: the memory's size is a constant.
+// As in firmware, the size of the memory is a constant.
 constexpr Limits small{64, 48};
 uint8_t default_memory[Extractor16::minimum_bytes(small) + 16384];
 uint8_t worst_memory[Extractor32::bytes_for({8, 8, Border::open},
@@ -43,7 +43,7 @@ void check_defaults(const Limits& limits, uint64_t bytes) {
   REQUIRE(at_most(minimum_capacities(), capacities));
 }
 
-// Each more than the last, up to the end of 64 bits.
+// Increasing sizes, up to the end of 64 bits.
 template <class Index>
 void check_defaults_of_many_sizes(const Limits& limits) {
   const uint64_t least = Extractor<Index>::minimum_bytes(limits);

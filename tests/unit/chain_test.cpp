@@ -22,7 +22,7 @@ uint32_t size_of(const std::vector<Run>& runs) {
   return static_cast<uint32_t>(runs.size());
 }
 
-// A closed chain: there by some way, and back by the same links in another order.
+// A closed chain: it returns by the same links in another order.
 std::vector<Run> closed_chain(Incidence incidence, uint32_t seed) {
   const int count = direction_count(incidence);
   std::vector<Run> runs;
@@ -75,7 +75,7 @@ TEST_CASE("an empty run does not absorb the first links of direction 0") {
   Run other = Run::straight(2, 4);
   CHECK_FALSE(run.absorb(other));
   CHECK(run.is_empty());
-  // Direction 0 is where an empty run looks like a run of length 0.
+  // An empty run of direction 0 has the code of a run of length 0.
   CHECK(run.absorb(Run::straight(0, 4)));
   CHECK(run == Run::straight(0, 4));
 }
@@ -129,7 +129,7 @@ TEST_CASE("a reversed chain visits the same vertices backwards, and reversing tw
 }
 
 TEST_CASE("the area of the largest possible ring does not overflow") {
-  // A slice of 32,766 voxels a side: 65,532 half-steps.
+  // A slice of 32,766 voxels per side: 65,532 half-steps.
   const Incidence up = incidence_of({0, 0, 1});
   std::vector<Run> runs;
   for (Direction direction = 0; direction < 8; ++direction) {

@@ -1,4 +1,4 @@
-// What works in the caller's memory, or points into itself, is not copied by mistake.
+// Objects that use the caller's memory, or point into themselves, cannot be copied.
 #include <discmc/discmc.hpp>
 #include "host/host_extractor.hpp"
 #include "test.hpp"

@@ -1,5 +1,5 @@
-// The extractor as firmware meets it: every way to feed it gives the same events, every misuse a
-// status and nothing else.
+// The extractor as firmware uses it: all ways to push samples give the same events, and every
+// misuse returns a status without other effects.
 #include "oracle/agreement.hpp"
 #include "oracle/bench.hpp"
 #include "test.hpp"
@@ -18,7 +18,7 @@ EventLog plain_scan(const BitVolume& volume, Border border = Border::closed) {
   return bench.log;
 }
 
-// The samples of a volume as another type, on where they are at least the threshold.
+// Converts the samples of a volume to another type. On means at least the threshold.
 template <class Sample>
 std::vector<Sample> samples_of(const BitVolume& volume, int64_t on, int64_t off,
                                uint32_t stride = 1, int64_t between = 0) {
@@ -33,7 +33,7 @@ void check_samples(int32_t threshold, int64_t on, int64_t off) {
   const BitVolume volume = random({35, 4, 3}, 120, 8);
   const EventLog expected = plain_scan(volume);
   for (const uint32_t stride : {1U, 2U, 3U, 7U, 64U}) {
-    // What lies between the samples would change every voxel, were it read.
+    // The values between the samples would change every voxel if they were read.
     for (const int64_t between : {on, off}) {
       const std::vector<Sample> samples = samples_of<Sample>(volume, on, off, stride, between);
       Bench<uint16_t> bench(limits_of(volume, Border::closed), threshold);
@@ -59,7 +59,7 @@ std::vector<uint8_t> bits_of(const BitVolume& volume, size_t row) {
   for (size_t x = 0; x < volume.width; ++x)
     if (volume.on[row * volume.width + x] != 0)
       bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | 1U << x % 8);
-  // What lies beyond the row is not the volume's.
+  // Samples beyond the row do not belong to the volume.
   if (volume.width % 8 != 0)
     bits.back() = static_cast<uint8_t>(bits.back() | 0xFFU << volume.width % 8);
   return bits;
@@ -93,7 +93,7 @@ TEST_CASE("every sample type and stride gives the same events") {
 }
 
 TEST_CASE("push() reads nothing beyond the last sample for any stride") {
-  // The end of a vector of exactly this size is what address sanitizers watch.
+  // Address sanitizers check the end of a vector of exactly this size.
   const BitVolume volume = random({5, 3, 2}, 128, 1);
   for (uint32_t stride = 1; stride < 9; ++stride) {
     const std::vector<uint16_t> samples = samples_of<uint16_t>(volume, 7, 0, stride);

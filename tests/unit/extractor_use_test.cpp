@@ -12,7 +12,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Ignores its events, and counts the regions.
+// Ignores events, and counts the regions.
 struct Counter {
   uint64_t regions = 0;
   uint64_t layers = 0;
@@ -25,7 +25,7 @@ struct Counter {
   }
 };
 
-// Whether an object that is made where all was zero leaves it so.
+// Whether an object constructed in zeroed memory leaves the memory zero.
 template <class Object>
 bool begins_as_zero() {
   std::vector<uint64_t> place(sizeof(Object) / sizeof(uint64_t) + 1);
@@ -63,7 +63,7 @@ void check_refused_starts() {
   for (const Slab& slab : {Slab{1, false, false}, Slab{0, true, false}})
     CHECK(extractor.start({8, 8, {}, slab}, 1, memory, sink) == Status::bad_limits);
   CHECK(extractor.start({32766, 32766}, 1, memory, sink) == Status::too_little_memory);
-  // The memory is as it was.
+  // The memory is unchanged.
   Block untouched(1 << 16);
   const auto* bytes = static_cast<const uint8_t*>(memory.data);
   CHECK(std::equal(bytes, bytes + (1 << 16), static_cast<uint8_t*>(untouched.memory().data)));
@@ -175,7 +175,7 @@ TEST_CASE("finish() in the middle of a slice is refused and changes nothing") {
   for (uint32_t i = 0; i < 18; ++i) {
     CHECK(bench.extractor.finish() == (i == 0 || i == 9 ? Status::ok : Status::slice_in_progress));
     if (i == 0 || i == 9) {
-      // The scan ended there: begin again and push the same samples.
+      // The scan ended here: begins again with the same samples.
       REQUIRE(collected(bench.log.events).is_finished());
       bench.log = EventLog();
       require_ok(bench.extractor.reset());
@@ -229,11 +229,11 @@ TEST_CASE("a single voxel, row, column or slice with an open border has no surfa
   }
 }
 
-TEST_CASE("100,000 thin slices end as they began") {
+TEST_CASE("each period of 100,000 thin slices gives the same number of regions") {
   for (const Border border : {Border::closed, Border::open})
     for (const Limits limits : {Limits{1, 1, border}, Limits{2, 2, border}, Limits{3, 1, border}}) {
       const uint32_t slice = limits.width * limits.height;
-      // An even number of slices makes a period, so that every period has as many regions.
+      // An even number of slices is a period, so every period has the same number of regions.
       std::vector<uint8_t> period(slice * 4, 0);
       std::fill_n(period.begin() + slice, 2 * slice - 1, uint8_t{1});
       Counter counter;

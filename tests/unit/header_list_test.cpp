@@ -1,5 +1,5 @@
-// That docs/README.md, docs/statuses.md and discmc.hpp list everything they should, and that the
-// folders of the library include only the folders that they need.
+// docs/README.md, docs/statuses.md and discmc.hpp list everything, and the folders of the library
+// include only the folders that they need.
 #include <filesystem>
 #include <regex>
 #include <sstream>
@@ -15,7 +15,7 @@ const fs::path library = fs::path(DISCMC_SOURCE_DIR) / "lib";
 
 using discmc::test::text_of;
 
-// The header itself, and all headers of this library that it includes.
+// Returns a header, and all headers of this library that it includes.
 std::set<std::string> included_by(const std::string& header) {
   const std::string include = "#include <";
   std::set<std::string> all = {header};
@@ -51,7 +51,8 @@ TEST_CASE("the map of the library lists every user header and every folder") {
   CHECK(rooms > 5);
 }
 
-// The folders that the files of a folder include, also through headers of lib/discmc itself.
+// Returns the folders that the files of a folder include, also through headers of lib/discmc
+// itself.
 const std::map<std::string, std::set<std::string>> reached_folders = {
     {"base", {}},
     {"c", {"base", "front", "geometry", "join", "slices", "stream", "trace"}},

@@ -1,5 +1,4 @@
-// Statements about the half-step lattice, its links and the directions of a plane; all by
-// exhaustion.
+// Statements about the half-step lattice, its links and the directions of a plane; by exhaustion.
 #include <discmc/lattice.hpp>
 
 #include "incidences.hpp"
@@ -96,7 +95,7 @@ TEST_CASE("directions go round counter-clockwise seen from the tip of the normal
     const Direction count = direction_count(incidence);
     for (Direction direction = 0; direction < count; ++direction) {
       const Vertex here = direction_vector(incidence, direction);
-      // The first half of the round from here is on the left, the second half on the right.
+      // The first half of the directions from here is on the left, the second half on the right.
       for (int steps = 1; steps < count; ++steps) {
         const auto other = static_cast<Direction>((direction + steps) % count);
         const int side = dot_product(cross(here, direction_vector(incidence, other)),
@@ -131,7 +130,7 @@ TEST_CASE("a turn leads from one direction to another the shorter way") {
 
 TEST_CASE("links derived at run time equal those of the compiler") {
   LinkTable derived{};
-  derived = detail::derive::link_table();  // as an initialised table, the compiler would derive it
+  derived = detail::derive::link_table();  // a constant would be derived by the compiler
   for (Link link = 0; link < link_codes; ++link)
     CHECK(detail::derive::link_of(derived, detail::derive::link_vector(detail::link_table, link)) ==
           link);

@@ -1,4 +1,4 @@
-// Limits: what cannot be is refused.
+// Limits: impossible ones are refused.
 #include <discmc/limits.hpp>
 
 #include "test.hpp"

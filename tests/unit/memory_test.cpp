@@ -1,4 +1,4 @@
-// A piece of the caller's memory.
+// A part of the caller's memory.
 #include <discmc/memory.hpp>
 
 #include "test.hpp"

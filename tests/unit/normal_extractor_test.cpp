@@ -1,5 +1,5 @@
-// Normals of the first pass: the events are those of a scan without them, and the normals those of
-// a second pass, bit for bit.
+// Normals computed during the scan. The events equal those of a scan without normals; the normals
+// equal those of a second pass, bit for bit.
 #include <discmc/sample_window.hpp>
 
 #include "oracle/checkpointed_device.hpp"
@@ -57,7 +57,7 @@ void check_agreement(const SampleVolume<Sample>& volume, const Setting& setting)
   require_normals(events, volume);
 }
 
-// Noise that has slopes: sums of a few neighbours of noise.
+// Smooth noise: sums of a few neighbouring random values.
 template <class Sample>
 SampleVolume<Sample> clouds(Size size, uint64_t seed, uint32_t most = 255) {
   Chance chance(seed);
@@ -86,7 +86,7 @@ TEST_CASE("a scan with normals sends the same surface, plus the normals of a sec
 
 TEST_CASE(
     "normals in a slab equal those of the whole scan if the surrounding samples are in the slab") {
-  // Below and above the threshold's only samples there are slices enough for their normals.
+  // Below and above the only on samples there are enough slices for their normals.
   constexpr uint32_t width = 9, height = 8, margin = 4, first = 2;
   SampleVolume<uint8_t> volume = clouds<uint8_t>({width, height, 6 + 2 * margin}, 7);
   constexpr size_t slice = size_t{width} * height;
@@ -144,7 +144,7 @@ TEST_CASE("a new scan is independent of the previous one") {
   extractor.set_spacing(uneven_spacing);
   require_ok(extractor.start(larger, setting.capacities, setting.threshold, block.memory(),
                              make_sink(log)));
-  require_ok(extractor.push(before.samples.data(), 25 * 11 + 3).status);  // breaks off in a row
+  require_ok(extractor.push(before.samples.data(), 25 * 11 + 3).status);  // abandoned within a row
   log.events.clear();
   require_ok(extractor.start(limits, setting.capacities, setting.threshold, block.memory(),
                              make_sink(log)));
@@ -176,7 +176,7 @@ TEST_CASE("the normals at the corners of a ball point outwards") {
     REQUIRE(!told.is_none());
     const UnitNormal n = unit_normal(told);
     const Vertex from_centre{vertex.x - extent + 1, vertex.y - extent + 1, vertex.z - extent + 1};
-    // As it is in space: y is mirrored.
+    // In space, y is mirrored.
     const int64_t outwards = int64_t{n.x} * from_centre.x * uneven_spacing[0] +
                              int64_t{n.y} * from_centre.y * uneven_spacing[1] +
                              int64_t{n.z} * from_centre.z * uneven_spacing[2];
@@ -216,7 +216,7 @@ TEST_CASE("a slice is swept one slice and one row later, with four slices and si
   CHECK(log.events.front().is(Event::Kind::layer));
 }
 
-// ---- rows that never come ----
+// ---- missing rows ----
 
 namespace {
 
@@ -232,8 +232,7 @@ std::vector<Row> some_rows(uint32_t count, Chance& chance) {
   return rows;
 }
 
-// Gives the rows that are given, leaves the others out, and ends in the middle of the next when
-// abandoning.
+// Pushes the given rows, skips the others, and ends within the next row if the scan is abandoned.
 template <class Normals>
 Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<Row>& rows,
                         int32_t threshold, Ending ending, uint32_t part = 0) {
@@ -268,7 +267,7 @@ Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<R
   return log.events;
 }
 
-// The volume as a scan sees it that lacks some rows: others stand in for them, or they are `off`.
+// The volume of a scan with missing rows: other rows replace them, or they are off.
 SampleVolume<uint8_t> with_gaps(SampleVolume<uint8_t> volume, const std::vector<Row>& rows,
                                 uint8_t off) {
   const auto width = static_cast<std::ptrdiff_t>(volume.size.width);
@@ -326,7 +325,7 @@ TEST_CASE(
   const Size size{4, 3, 5};
   const Limits limits{size.width, size.height};
   const int32_t threshold = 100;
-  // The least memory, so that every cell sends its normals when it is swept.
+  // The minimum memory, so every cell sends its normals when it is swept.
   const Capacities least = minimum_capacities();
   for (uint32_t given = 1; given <= size.width * size.height * size.depth; ++given) {
     SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);

@@ -1,4 +1,4 @@
-// The gradient at every vertex of small volumes, and the window that slices pass through.
+// The gradient at every vertex of small volumes, and the window of slices.
 #include <discmc/sample_window.hpp>
 
 #include "oracle/gradient.hpp"
@@ -20,7 +20,7 @@ SampleVolume<Sample> noise(Size size, Chance& chance) {
   return volume;
 }
 
-// The vertices that a closed scan may have, in the order of z.
+// The possible vertices of a closed scan, in the order of z.
 std::vector<Vertex> vertices_of(Size size) {
   const auto last = [](uint32_t extent) { return 2 * static_cast<int32_t>(extent) - 1; };
   std::vector<Vertex> vertices;
@@ -65,7 +65,7 @@ void check_window(Size size, uint32_t chunk, Chance& chance) {
       REQUIRE(window.push(volume.slice(z) + at, count) == Status::ok);
     }
     check_covered();
-    // All vertices below the slice before the last are visited by now.
+    // All vertices below the slice before the last have been visited.
     REQUIRE((next == vertices.end() || next->z > 2 * static_cast<int32_t>(z) - 3));
   }
   window.end();
@@ -91,15 +91,15 @@ TEST_CASE("gradients are central differences at every vertex, and one-sided at t
 TEST_CASE("a window covers a vertex until its slices have passed") {
   StartedWindow window({2, 1});
   const uint8_t slice[2] = {1, 2};
-  const Vertex between{0, 0, 5};  // slices 2 and 3: takes 1 to 4
-  const Vertex within{1, 0, 4};   // slice 2: takes 1 to 3
-  const Vertex lowest{1, 0, 0};   // takes 0 and 1
+  const Vertex between{0, 0, 5};  // slices 2 and 3: reads 1 to 4
+  const Vertex within{1, 0, 4};   // slice 2: reads 1 to 3
+  const Vertex lowest{1, 0, 0};   // reads 0 and 1
   for (int slices = 1; slices <= 6; ++slices) {
     REQUIRE(window.push(slice, 2) == Status::ok);
     CHECK(window.covers(between) == (slices == 5));
     CHECK(window.covers(within) == (slices == 4 || slices == 5));
     CHECK(window.covers(lowest) == (slices >= 2 && slices <= 4));
-    CHECK(window.covers({0, 0, -1}) == (slices >= 2));  // outside: takes none
+    CHECK(window.covers({0, 0, -1}) == (slices >= 2));  // outside: reads none
   }
   REQUIRE(window.push(slice, 1) == Status::ok);  // overwrites slice 2
   CHECK(!window.covers({0, 0, 7}));
@@ -123,10 +123,10 @@ TEST_CASE("the first row of a new slice removes the oldest slice from the window
   StartedWindow window({1, 2});
   const uint8_t samples[9] = {};
   REQUIRE(window.push(samples, 8) == Status::ok);
-  CHECK(window.covers({0, 0, 3}));  // takes slices 0 to 3
+  CHECK(window.covers({0, 0, 3}));  // reads slices 0 to 3
   REQUIRE(window.push(samples, 1) == Status::ok);
   CHECK(!window.covers({0, 0, 3}));
-  CHECK(window.covers({0, 1, 4}));  // takes 1 to 3
+  CHECK(window.covers({0, 1, 4}));  // reads 1 to 3
 }
 
 TEST_CASE("a window that has ended can be started again for another pass") {

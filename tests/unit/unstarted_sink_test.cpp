@@ -1,4 +1,4 @@
-// An unstarted sink is an error: if it were busy instead, its source would wait forever.
+// An unstarted sink is an error. If it were busy instead, its source would wait forever.
 #include <discmc/joiner.hpp>
 #include <discmc/receiver.hpp>
 

@@ -1,4 +1,4 @@
-// A program may use the whole namespace with short names of its own.
+// A program may use the whole namespace together with short names of its own.
 #include <discmc/discmc.h>
 
 #include <discmc/discmc.hpp>

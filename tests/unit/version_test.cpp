@@ -11,7 +11,7 @@ namespace {
 
 using discmc::test::text_of;
 
-// The first version in a file that follows the given text.
+// Returns the first version in a file after the given text.
 std::string version_after(const std::string& text, const std::string& path) {
   std::smatch found;
   const std::string all = text_of(path);

@@ -27,7 +27,7 @@ COMMAND, ENCODER = "discmc", "encode_fractions"
 
 
 def discmc(*arguments, codes=(0, 3)):
-    """The output of the command; 3 means that a stream is incomplete."""
+    """The output of the command. Code 3 means that a stream is incomplete."""
     done = subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True)
     if done.returncode not in codes:
         raise AssertionError(f"discmc {arguments} returned {done.returncode}: {done.stderr}")
@@ -59,7 +59,7 @@ def facts_of_command(file, *options):
 
 
 def regions_of(stream):
-    """All regions, and the number of chains and holes that belong to none."""
+    """All regions, and the numbers of chains and holes without a region."""
     whole = [e for e in stream.events if isinstance(e, Region)]
     of_fragments, unmatched = joined([e for e in stream.events if isinstance(e, Fragment)])
     return whole + of_fragments, unmatched
@@ -103,7 +103,7 @@ def facts_of(stream, regions, unmatched):
 
 
 def write_volume(path, width, height, bits):
-    """NRRD, whose last slice is filled with off voxels."""
+    """A NRRD file with its missing last voxels off."""
     depth = -(-len(bits) // (width * height))
     header = (f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {width} {height} {depth}\n"
               "spacings: 1 1 1\nspace units: \"mm\" \"mm\" \"mm\"\nspace dimension: 3\nencoding: raw\n\n")

@@ -21,7 +21,7 @@ class Fractions:
         self.below = self.below_above = (self.none, self.none)
 
     def begin_row(self, number, y):
-        """Takes Fx and Fy of this row in the slice before from the queue."""
+        """Dequeues Fx and Fy of this row in the slice before."""
         self.below_above = self.below if y else (self.none, self.none)
         self.below = tuple(list(self.none) for _ in range(2))
         while self.queue and self.queue[0][0] == number - self.height:
@@ -49,7 +49,7 @@ class Fractions:
 
 
 def row_of_fractions(rows, surface, row, f):
-    """Decodes Fx, Fy and Fz of a row; yields the part and the second number of each place where a cut may be."""
+    """Decodes Fx, Fy and Fz of a row. Yields the part and the second number of each position for a cut."""
     edges = Edges(rows, surface, row, f)
     is_counted = edges.is_key and edges.z > 0
     for x in range(1, rows.width + 1):
@@ -72,7 +72,7 @@ def counted(rows, fractions, edges, fz):
         if ones == 16:
             raise Damaged("count")
         yield COUNT, ones
-    left = 2 ** (ones - 1) + rows.coder.even_bits(ones - 1) if ones else 0
+    left = 2 ** (ones - 1) + rows.coder.raw_bits(ones - 1) if ones else 0
     places = [x for x in range(1, rows.width + 1) if edges.has(2, x)]
     if left > rows.width or not edges.is_before_lost and left != len(places):
         raise Damaged("count")
@@ -148,7 +148,7 @@ class Edges:
         return (a + b) // 2 if c is None else a + b - c
 
     def distances(self, axis, x):
-        """Of the lower end and of the upper end."""
+        """The values of the lower end and of the upper end."""
         def back(*fractions):
             return [8 - f for f in fractions if f]
 

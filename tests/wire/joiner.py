@@ -7,7 +7,7 @@ from tables import DIRECTIONS, normal
 
 
 def vertices(chain, incidence):
-    """The starts of the runs, and the end of the last one."""
+    """Returns the starts of the runs, and the end of the last run."""
     at = [chain.start]
     for run in chain.runs:
         at.append(moved(at[-1], DIRECTIONS[incidence][run.direction], run.length))
@@ -15,7 +15,7 @@ def vertices(chain, incidence):
 
 
 def joined(fragments):
-    """The regions of all fragments, and the number of chains that nothing closes and of holes without a region."""
+    """Returns the regions of all fragments, and the number of open chains and of holes without a region."""
     by_plane, unmatched = defaultdict(list), 0
     for incidence, ring in rings(fragments):
         if ring is None:
@@ -51,13 +51,13 @@ def rings(fragments):
 
 
 def after(fragment):
-    """What a fragment that follows has: the incidence, its start and `came`."""
+    """The end of a fragment, which the next one must match: incidence, start and `came`."""
     end = vertices(fragment.chain, fragment.incidence)[-1]
     return fragment.incidence, end, fragment.chain.runs[-1].direction
 
 
 def regions_of_plane(incidence, of_plane):
-    """Outer rings run counter-clockwise; a hole belongs to the smallest of them that contains it."""
+    """Outer rings run counter-clockwise. A hole belongs to the smallest outer ring around it."""
     flat = {id(ring): flattened(ring, incidence) for ring in of_plane}
     area = {key: doubled_area(points) for key, points in flat.items()}
     outer = sorted((ring for ring in of_plane if area[id(ring)] > 0), key=lambda ring: area[id(ring)])
@@ -72,7 +72,7 @@ def regions_of_plane(incidence, of_plane):
 
 
 def flattened(ring, incidence):
-    """The ring along two axes that keep its sense; each run is divided to links."""
+    """The ring along two axes that keep its orientation, with each run divided into links."""
     axis = max(range(3), key=lambda a: abs(normal(incidence)[a]))
     i, j = (axis + 1) % 3, (axis + 2) % 3
     if normal(incidence)[axis] < 0:

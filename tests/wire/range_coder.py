@@ -6,11 +6,11 @@ ALL = 0xFFFFFFFF
 
 
 class Truncated(Exception):
-    """The next packet has the next byte."""
+    """The next byte is in the next packet."""
 
 
 class RangeDecoder:
-    """After the end of bytes that are complete it reads zeros."""
+    """If the bytes are complete, reads zeros after their end."""
 
     def __init__(self, data, is_complete=True):
         self.data, self.at, self.is_complete = data, 0, is_complete
@@ -32,7 +32,7 @@ class RangeDecoder:
             self.range = self.range << 8 & ALL
 
     def symbol(self, below):
-        """`below` has n + 1 numbers, the last is 256."""
+        """`below` has n + 1 numbers; the last is 256."""
         unit = self.range >> 8
         s = max(s for s in range(len(below) - 1)
                 if below[s] < below[s + 1] and self.code >= unit * below[s])
@@ -41,9 +41,9 @@ class RangeDecoder:
         self.refill()
         return s
 
-    def even(self, n):
+    def raw(self, n):
         if n > 8:  # section 7
-            return self.even(8) << (n - 8) | self.even(n - 8)
+            return self.raw(8) << (n - 8) | self.raw(n - 8)
         self.range >>= n
         v = min(self.code // self.range, (1 << n) - 1)
         self.code -= self.range * v
@@ -65,14 +65,14 @@ class RangeDecoder:
         return bit
 
     def learnt(self, contexts, context):
-        """Section 14: a decision whose probability learns."""
+        """Section 14: a decision whose probability adapts."""
         p = contexts[context]
         bit = self.decision(p, 16)
         contexts[context] = p + (65535 - p >> 4) if bit else p - (p >> 4)
         return bit
 
     def learnt_quickly(self, contexts, context):
-        """Section 15: the same for the contexts of fractions."""
+        """Section 15: likewise for the contexts of fractions."""
         p = contexts[context]
         bit = self.decision(p, 16)
         q, n = divmod(p, 8)
@@ -81,8 +81,8 @@ class RangeDecoder:
         contexts[context] = 8 * q + min(n + 1, 7)
         return bit
 
-    def even_bits(self, n):
-        """Section 14: a number of several even bits."""
+    def raw_bits(self, n):
+        """Section 14: a number of several raw bits."""
         value = 0
         for _ in range(n):
             value = 2 * value + self.decision(128, 8)
@@ -101,10 +101,10 @@ class RecordingDecoder(RangeDecoder):
         self.calls.append((RangeEncoder.symbol, below, s))
         return s
 
-    def even(self, n):
-        v = super().even(n)
+    def raw(self, n):
+        v = super().raw(n)
         if n <= 8:
-            self.calls.append((RangeEncoder.even, n, v))
+            self.calls.append((RangeEncoder.raw, n, v))
         return v
 
 
@@ -120,7 +120,7 @@ class RangeEncoder:
         self.range = unit * (below[s + 1] - below[s])
         self.make_room()
 
-    def even(self, n, v):
+    def raw(self, n, v):
         self.range >>= n
         self.low += self.range * v
         self.make_room()

@@ -20,7 +20,7 @@ class Application:
 
 @dataclass
 class Loss:
-    """What is missing before the packet whose frame is at this offset."""
+    """The losses before the packet whose frame is at this offset."""
     offset: int
     packets: int = 0
     pieces: int = 0
@@ -72,7 +72,7 @@ def has_slices(packet):
 
 
 class Reader:
-    """What streams of either kind have in common."""
+    """The common parts of both kinds of streams."""
 
     def __init__(self, stream):
         self.stream = stream
@@ -115,7 +115,7 @@ class RecordReader(Reader):
         self.in_progress = None
 
     def loss_before(self, offset, packet):
-        """None if the packet is repeated or late."""
+        """Returns None if the packet is repeated or late."""
         if packet.kind == wire.HEADER:
             header = Header.parsed(packet)
             gap, missing = header.packets - self.next_number, header.pieces - self.passed
@@ -153,7 +153,7 @@ class RecordReader(Reader):
                     self.passed += isinstance(record, (Region, Fragment))
 
     def joined(self, offset, part):
-        """Section 9: the region or fragment of which this is the last part, else None."""
+        """Section 9: returns the region or fragment if this is its last part, else None."""
         if not part.continues:
             if part.is_of_fragment:
                 self.in_progress = Fragment(part.incidence, Chain(part.chain.start), part.came)
@@ -185,7 +185,7 @@ class SliceReader(Reader):
         self.code = None  # its bytes so far
 
     def loss_before(self, offset, packet):
-        """None if the packet is repeated or late."""
+        """Returns None if the packet is repeated or late."""
         is_header = packet.kind == wire.HEADER
         number = Header.parsed(packet).packets % 2 ** 24 if is_header else packet.number
         if not self.is_first and 1 <= (self.next_number - number) % 2 ** 24 <= 2 ** 23:
@@ -195,7 +195,7 @@ class SliceReader(Reader):
         return Loss(offset, packets=gap)
 
     def interrupt(self):
-        """Decodes what has come of a code that is not complete."""
+        """Decodes the received bytes of an incomplete code."""
         code, self.code = self.code, None
         self.waits_for_key_slice = True
         if code is not None:

@@ -5,7 +5,7 @@ from math import hypot
 
 from packets import Damaged
 from range_coder import RangeDecoder
-from tables import DIRECTIONS, normal, row
+from tables import DIRECTIONS, context, normal
 
 REGION, REGION_WITH_HOLES, FRAGMENT, FRAGMENT_BACKWARDS, LAYER, PART, END, SKIPPED, EXTENSION = range(9)
 NO_INCIDENCE = 13
@@ -118,19 +118,19 @@ class Records:
         if kind == LAYER:
             self.layer = (self.layer + self.plain()) % 2 ** 32
             return Layer(self.layer)
-        return Skipped(self.plain(), self.plain(), bool(self.coder.even(1)))
+        return Skipped(self.plain(), self.plain(), bool(self.coder.raw(1)))
 
-    # Sections 7 and 8: symbols, numbers and rows.
+    # Sections 7 and 8: symbols, numbers and contexts.
 
     def symbol(self, first, symbols, number=0):
-        return self.coder.symbol(row(first + number * symbols, symbols))
+        return self.coder.symbol(context(first + number * symbols, symbols))
 
     def number(self, first, number=0):
         s = self.symbol(first, 11, number)
         if s < 3:
             return s + 1
-        k = s - 1 if s < 10 else self.coder.even(5) + 1
-        return 2 ** k + self.coder.even(k)
+        k = s - 1 if s < 10 else self.coder.raw(5) + 1
+        return 2 ** k + self.coder.raw(k)
 
     def signed(self, first, number=0):
         m = self.number(first, number) - 1
@@ -148,7 +148,7 @@ class Records:
         return len(self.directions)
 
     def of_class(self, *firsts):
-        """The first number of a row of the block of a class."""
+        """The first number of a context in the block of a class."""
         return firsts[self.n // 2 - 2]
 
     def kind_of_run(self, d):
@@ -160,7 +160,7 @@ class Records:
     # Section 9: vertices and incidences.
 
     def coded_vertex(self):
-        """Returns its place, too."""
+        """Also returns its position."""
         place = self.symbol(27, 13)
         dx = dy = dz = 0
         if place < 8:
@@ -186,16 +186,16 @@ class Records:
         place = self.coded_vertex()
         axis = self.axis
         if axis == 3:
-            self.set_incidence(self.coder.even(5))
+            self.set_incidence(self.coder.raw(5))
             return
         sign = previous[previous_axis] if place == 0 and previous_axis != 3 else 0
         if sign == 0:
-            sign = self.coder.even(1) * 2 - 1
+            sign = self.coder.raw(1) * 2 - 1
         a, b = (previous[other] for other in range(3) if other != axis)
         before = 1 + a + 3 * (1 + b)
         s = self.symbol(149, 10, before if sign > 0 else 8 - before)
         if s == 9:
-            self.set_incidence(self.coder.even(5))
+            self.set_incidence(self.coder.raw(5))
             return
         heading = s if sign > 0 else 8 - s
         components = [heading % 3 - 1, heading // 3 - 1]
@@ -225,7 +225,7 @@ class Records:
         c = self.symbol(self.of_class(390, 442, 527), self.of_class(2, 9, 28))
         f = self.symbol(self.of_class(350, 392, 451), 4)
         if f == 3:
-            f = self.coder.even(3)
+            f = self.coder.raw(3)
         if f >= n:
             raise Damaged("first direction")
         d = (self.first_backwards() + f) % n
@@ -324,9 +324,9 @@ class Records:
         return Fragment(self.incidence, Chain(start, runs[::-1]), came)
 
     def part(self):
-        flags = self.coder.even(4)
+        flags = self.coder.raw(4)
         part = Part(*(bool(flags & bit) for bit in (8, 4, 2, 1)), None, None)
-        self.set_incidence(self.coder.even(5))
+        self.set_incidence(self.coder.raw(5))
         part.incidence = self.incidence
         if part.begins_ring:
             self.coded_vertex()
@@ -340,16 +340,16 @@ class Records:
 
     def extension(self):
         """The normals of an extension of the types 1 to 9, else None."""
-        type_, count = self.coder.even(8), self.coder.even(8)
+        type_, count = self.coder.raw(8), self.coder.raw(8)
         if not 1 <= type_ <= 9:
             for _ in range(count):
-                self.coder.even(8)
+                self.coder.raw(8)
             return None
         return self.normals(type_ - 1, 8 * count)
 
     def normals(self, bits, left):
         """Yields U and V of each normal, None for no normal, and reads the unused bits."""
-        u, v = self.coder.even(8), self.coder.even(8)
+        u, v = self.coder.raw(8), self.coder.raw(8)
         left -= 16
         normals = [(u, v)]
         while bits and left >= 2 * bits:
@@ -358,12 +358,12 @@ class Records:
             left -= 2 * bits
         while left:
             n = min(left, 8)
-            self.coder.even(n)
+            self.coder.raw(n)
             left -= n
         return [(u - 128, v - 128) if u else None for u, v in normals], bits
 
     def difference(self, bits):
-        n = self.coder.even(bits)
+        n = self.coder.raw(bits)
         return n // 2 if n % 2 == 0 else 255 - (n - 1) // 2
 
 

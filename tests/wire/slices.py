@@ -27,7 +27,7 @@ class Surface:
 
 
 class SliceRows:
-    """Decodes codes to rows; `kinds` has how each row came, and `surfaces` their voxels."""
+    """Decodes codes to rows. `kinds` has the kind of each row, and `surfaces` their voxels."""
 
     def __init__(self, header):
         self.width, self.height = header.width, header.height
@@ -69,7 +69,7 @@ class SliceRows:
                 surface.fractions.rows.append(f)
 
     def decode(self, data, cut, is_complete):
-        """Adds the rows of a code; of the beginning of a code as many as its bytes contain."""
+        """Adds the rows of a code. If only its beginning is given, adds the rows that it contains."""
         try:
             self.coder = RangeDecoder(data, is_complete)
             while self.steps or self.note():
@@ -86,7 +86,7 @@ class SliceRows:
         """Skips a row or begins one; False at the end of the code."""
         note = 0
         if self.coder.learnt(self.surfaces[0].p, NOTE):
-            note = self.coder.even_bits(3)
+            note = self.coder.raw_bits(3)
             if note == END_OF_CODE:
                 return False
         z, y = divmod(len(self.kinds), self.height)
@@ -106,7 +106,7 @@ class SliceRows:
         return True
 
     def row(self):
-        """Decodes a row of each surface; yields both numbers of each place where a cut may be."""
+        """Decodes a row of each surface. Yields both numbers of each position for a cut."""
         rows, fractions = [], []
 
         def place(part, second):
@@ -129,7 +129,7 @@ class SliceRows:
         self.add(CODED, rows, fractions)
 
     def neighbours(self, surface):
-        """`neighbours` of each voxel of the next row for v = 0; for v = 1 each bit is the other."""
+        """`neighbours` of each voxel of the next row for v = 0; for v = 1 each bit is inverted."""
         z, y = divmod(len(self.kinds), self.height)
 
         def row(slices, rows):
@@ -156,7 +156,7 @@ class SliceRows:
             if self.coder.learnt(surface.p, RUNS + 2 * (length - 1) + ends):
                 row += [v] * n
                 return
-            m = self.coder.even_bits((n - 1).bit_length())
+            m = self.coder.raw_bits((n - 1).bit_length())
             if m >= n:
                 raise Damaged("run")
             row += [v] * m + [1 - v]

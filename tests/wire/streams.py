@@ -8,7 +8,7 @@ import zlib
 from packets import HEADER, RECORDS, SLICE_TRAILER, TRAILER, digest_after, unstuffed
 from range_coder import RangeEncoder, RecordingDecoder
 from records import EXTENSION, Records
-from tables import row
+from tables import context
 
 
 def noise(width, height, depth):
@@ -30,7 +30,7 @@ def slab():
 
 
 def comb():
-    """Regions that are longer than a record, so that they are sent in parts."""
+    """Regions longer than a record, so they are sent in parts."""
     return of_points(90, 12, 3, lambda x, y, z: 200 * (z == 1 and (y < 3 or x % 3 > 0 and y < 9)))
 
 
@@ -61,7 +61,7 @@ SLICES = [
     ("slab", ("--wire", "slices", "--iso", 100), (100,)),
 ]
 
-# Rows that end anywhere in a word, dense and sparse, in slices of few rows.
+# Rows that end at any bit of a word, dense and sparse, in slices of few rows.
 for i, width in enumerate((1, 2, 3, 7, 8, 29, 30, 31, 32, 33, 59, 60, 61, 64, 97)):
     height, iso = (1, 2, 3, 4, 9)[i % 5], (20, 128, 215, 250)[i % 4]
     VOLUMES[f"width {width}"] = width, height, lambda width=width, height=height: noise(width, height, 3)
@@ -100,7 +100,7 @@ def framed(body):
 
 
 def damaged(data, rng):
-    """Drops, changes, repeats, delays and truncates frames; none comes after the trailer."""
+    """Drops, changes, repeats, delays and truncates frames. No frame follows the trailer."""
     out, delayed, rate = [], None, rng.choice((0.05, 0.2, 0.5))
     whole = frames(data)
     for frame in whole:
@@ -144,12 +144,12 @@ def calls_of(payload):
 
 def with_extension(payload):
     """Section 9: an extension of an unknown type before the first record."""
-    extension = [(RangeEncoder.even, 8, value) for value in (200, 3, 1, 77, 254)]
-    return RangeEncoder.encoded([(RangeEncoder.symbol, row(0, 9), EXTENSION), *extension, *calls_of(payload)])
+    extension = [(RangeEncoder.raw, 8, value) for value in (200, 3, 1, 77, 254)]
+    return RangeEncoder.encoded([(RangeEncoder.symbol, context(0, 9), EXTENSION), *extension, *calls_of(payload)])
 
 
 def of_later_version(data):
-    """Longer headers and trailers, an unknown extension, and an unknown kind of packet before the last but one."""
+    """Longer headers and trailers, an unknown extension, and a packet of an unknown kind before the last but one."""
     out = []
     packets = bodies(data)
     for i, body in enumerate(packets):
@@ -166,7 +166,7 @@ def of_later_version(data):
 
 
 def with_wrong_payload(data):
-    """A packet whose payload is an error from its first record on, with its CRC."""
+    """A packet whose payload is invalid from its first record on, with a valid CRC."""
     packets = bodies(data)
     packets[3][4:-3] = b"\xFF" * (len(packets[3]) - 7)
     return with_digest(b"".join(map(framed, packets)))

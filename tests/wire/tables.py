@@ -1,4 +1,4 @@
-"""The tables of numbers of the format, read from lib/WIRE.md and the two files that it names."""
+"""The tables of the format, read from lib/WIRE.md and the two files that it names."""
 
 import re
 from pathlib import Path
@@ -13,15 +13,15 @@ def numbers(file, name):
 
 
 # Section 7.
-SHARES = numbers("stream/shares.cpp", "shares[")
+FREQUENCIES = numbers("stream/frequencies.cpp", "cumulative_frequencies[")
 # Section 14: for the contexts 1 to 272.
 _trained = numbers("slices/slice_model.cpp", "trained[")
 KEY_SLICES, OTHER_SLICES = _trained[:272], _trained[272:]
 
 
-def row(first, symbols):
-    """Section 7: below(0) to below(symbols) of the row that begins with this number."""
-    return [0] + [n or 256 for n in SHARES[first + 1:first + symbols]] + [256]
+def context(first, symbols):
+    """Section 7: below(0) to below(symbols) of the context that begins with this number."""
+    return [0] + [n or 256 for n in FREQUENCIES[first + 1:first + symbols]] + [256]
 
 
 # Section 10: code of the incidence -> its directions.

@@ -1,4 +1,4 @@
-// The messages of a discmc that was built without a library, and the files that it still reads.
+// The messages of a discmc built without optional libraries, and the files that it still reads.
 #include "command/volume_files.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "test.hpp"

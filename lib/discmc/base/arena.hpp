@@ -53,12 +53,12 @@ class Arena {
     const size_t with_zone = bytes + red_zone_bytes;
     if (with_zone > left_) is_exhausted_ = true;
     if (is_exhausted_) return nullptr;
-    uint8_t* const place = next_;
+    uint8_t* const allocation = next_;
     left_ -= with_zone;
     next_ += with_zone;
-    unpoison(place, bytes);
-    poison(place + bytes, red_zone_bytes);
-    return place;
+    unpoison(allocation, bytes);
+    poison(allocation + bytes, red_zone_bytes);
+    return allocation;
   }
 
   uint8_t* next_;

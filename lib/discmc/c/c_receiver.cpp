@@ -37,8 +37,8 @@ discmc_push_result discmc_receiver_push(discmc_receiver* receiver, const uint8_t
   const Decoded decoded = receiver->with_sink.object.push(bytes, count);
   return {c(decoded.status), decoded.bytes};
 }
-discmc_status discmc_receiver_give_memory(discmc_receiver* receiver, discmc_memory memory) {
-  return c(receiver->with_sink.object.give_memory(cpp(memory)));
+discmc_status discmc_receiver_set_memory(discmc_receiver* receiver, discmc_memory memory) {
+  return c(receiver->with_sink.object.set_memory(cpp(memory)));
 }
 discmc_status discmc_receiver_finish(discmc_receiver* receiver) {
   return c(receiver->with_sink.object.finish());

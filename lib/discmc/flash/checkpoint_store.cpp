@@ -162,19 +162,19 @@ void CheckpointStore::begin_pieces() {
 // Copies the part of the pieces in one unit into the buffer or out of it. Null memory is skipped.
 // The checksum continues from that of the header. A CRC over the header with its own CRC would be
 // the same for every header. Then a new header would complete an older checkpoint behind it.
-void CheckpointStore::move_pieces(bool to_unit) {
+void CheckpointStore::move_pieces(bool is_to_unit) {
   uint32_t done = 0;
   while (done < device_.geometry.program_bytes && pieces_.at < pieces_.count) {
     const Memory& piece = pieces_.of[pieces_.at];
     const bool is_tail = pieces_.at + 1 == pieces_.count;
-    if (is_tail && to_unit) tail_ = pieces_.checksum;
+    if (is_tail && is_to_unit) tail_ = pieces_.checksum;
     const size_t left = piece.bytes - pieces_.offset;
     const uint32_t room = device_.geometry.program_bytes - done;
     const uint32_t count = left < room ? static_cast<uint32_t>(left) : room;
     uint8_t* const bytes = static_cast<uint8_t*>(piece.data);
     for (uint32_t i = 0; bytes != nullptr && i < count; ++i) {
       uint8_t& outside = bytes[pieces_.offset + i];
-      if (to_unit)
+      if (is_to_unit)
         buffer_[done + i] = outside;
       else
         outside = buffer_[done + i];
@@ -189,7 +189,7 @@ void CheckpointStore::move_pieces(bool to_unit) {
     ++pieces_.at;
     pieces_.offset = 0;
   }
-  for (; to_unit && done < device_.geometry.program_bytes; ++done) buffer_[done] = 0xFF;
+  for (; is_to_unit && done < device_.geometry.program_bytes; ++done) buffer_[done] = 0xFF;
 }
 
 // ---- writing ----

@@ -30,8 +30,8 @@ Status MajorityFilter::start(const Limits& limits, Memory memory) {
   limits_ = limits;
   rows_ = rows;
   due_ = due;
-  place_ = 0;
-  due_place_ = 0;
+  push_index_ = 0;
+  due_index_ = 0;
   due_y_ = 0;
   is_first_slice_ = true;
   waiting_ = 0;
@@ -40,7 +40,7 @@ Status MajorityFilter::start(const Limits& limits, Memory memory) {
 
 const uint8_t* MajorityFilter::push(const uint8_t* bits) {
   const uint32_t words = words_of(limits_.width);
-  uint32_t* const row = rows_ + size_t{place_} * words;
+  uint32_t* const row = rows_ + size_t{push_index_} * words;
   for (uint32_t word = 0; word < words; ++word) row[word] = 0;
   for (uint32_t byte = 0; byte < (limits_.width + 7) / 8; ++byte)
     row[byte / 4] |= uint32_t{bits[byte]} << 8 * (byte % 4);
@@ -51,7 +51,7 @@ const uint8_t* MajorityFilter::push(const uint8_t* bits) {
     const bool is_on = (row[words - 1] >> (used - 1) & 1) != 0;
     row[words - 1] = is_on ? row[words - 1] | ~mask : row[words - 1] & mask;
   }
-  place_ = place_ + 1 == rows_held(limits_) ? 0 : place_ + 1;
+  push_index_ = push_index_ + 1 == rows_held(limits_) ? 0 : push_index_ + 1;
   ++waiting_;
   return waiting_ > limits_.height + 1 ? next_row(false) : nullptr;
 }
@@ -64,10 +64,10 @@ const uint8_t* MajorityFilter::drain() {
 
 const uint32_t* MajorityFilter::held(int32_t y, int32_t z) const {
   const auto rows = static_cast<int32_t>(rows_held(limits_));
-  int32_t place = static_cast<int32_t>(due_place_) + y + z * static_cast<int32_t>(limits_.height);
-  if (place >= rows) place -= rows;
-  if (place < 0) place += rows;
-  return rows_ + static_cast<size_t>(place) * words_of(limits_.width);
+  int32_t index = static_cast<int32_t>(due_index_) + y + z * static_cast<int32_t>(limits_.height);
+  if (index >= rows) index -= rows;
+  if (index < 0) index += rows;
+  return rows_ + static_cast<size_t>(index) * words_of(limits_.width);
 }
 
 // Filters the due row, and makes the next one due.
@@ -84,7 +84,7 @@ const uint8_t* MajorityFilter::next_row(bool is_last_slice) {
       due_[4 * word + byte] = static_cast<uint8_t>(bits >> 8 * byte);
   }
   --waiting_;
-  due_place_ = due_place_ + 1 == rows_held(limits_) ? 0 : due_place_ + 1;
+  due_index_ = due_index_ + 1 == rows_held(limits_) ? 0 : due_index_ + 1;
   if (++due_y_ == limits_.height) {
     due_y_ = 0;
     is_first_slice_ = false;

@@ -58,8 +58,8 @@ class MajorityFilter {
   Limits limits_{};
   uint32_t* rows_ = nullptr;  // a ring of rows_held() rows
   uint8_t* due_ = nullptr;
-  uint32_t place_ = 0;          // in the ring, of the next pushed row
-  uint32_t due_place_ = 0;      // in the ring, of the next due row
+  uint32_t push_index_ = 0;     // in the ring, of the next pushed row
+  uint32_t due_index_ = 0;      // in the ring, of the next due row
   uint32_t due_y_ = 0;          // in its slice
   bool is_first_slice_ = true;  // of the due row
   uint32_t waiting_ = 0;        // rows that were pushed and are not due yet

@@ -28,8 +28,8 @@ struct CropRange {
   /// How many voxels of an axis of this extent are selected; 0 if the axis has too few. Limit: step
   /// > 0.
   constexpr uint32_t count_of(uint32_t extent) const {
-    const uint32_t most = first < extent ? (extent - first - 1) / step + 1 : 0;
-    return count == rest ? most : count <= most ? count : 0;
+    const uint32_t available = first < extent ? (extent - first - 1) / step + 1 : 0;
+    return count == rest ? available : count <= available ? count : 0;
   }
 };
 

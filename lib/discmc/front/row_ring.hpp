@@ -60,8 +60,8 @@ class RowRing {
     rows_ = arena.allocate<uint8_t>(row_bytes_ * rows);
     numbers_ = arena.allocate<uint32_t>(rows);
     room_ = rows;
-    filled_ = produced_ = ended_ = fill_place_ = 0;
-    emptied_ = consumed_ = empty_place_ = 0;
+    filled_ = produced_ = ended_ = fill_index_ = 0;
+    emptied_ = consumed_ = empty_index_ = 0;
     return Status::ok;
   }
 
@@ -92,7 +92,7 @@ class RowRing {
 
   /// The bytes of the row, which may be changed in place: see packed_samples.hpp. Limit: peek() is
   /// `ready`.
-  void* row() const { return rows_ + size_t{empty_place_} * row_bytes_; }
+  void* row() const { return rows_ + size_t{empty_index_} * row_bytes_; }
 
   /// Removes what peek() returned, and frees its row. Limit: peek() is `ready` or `lost`.
   void pop();
@@ -110,11 +110,11 @@ class RowRing {
   uint32_t filled_ = 0;      // rows filled so far
   uint32_t produced_ = 0;    // rows filled or lost; written after filled_
   uint32_t ended_ = 0;       // 1: produced_ includes the last row
-  uint32_t fill_place_ = 0;  // in the ring
+  uint32_t fill_index_ = 0;  // in the ring
   // The consumer writes these.
   uint32_t emptied_ = 0;
   uint32_t consumed_ = 0;
-  uint32_t empty_place_ = 0;
+  uint32_t empty_index_ = 0;
 };
 
 }  // namespace discmc

@@ -79,10 +79,10 @@ constexpr FaceCorners face_corners(int face) {
   const int axis = face % 3;
   const int u = 1 << (axis + 1) % 3;
   const int v = 1 << (axis + 2) % 3;
-  const bool far_side = face >= 3;
-  const int base = far_side ? 1 << axis : 0;
-  const int second = far_side ? v : u;
-  const int fourth = far_side ? u : v;
+  const bool is_far = face >= 3;
+  const int base = is_far ? 1 << axis : 0;
+  const int second = is_far ? v : u;
+  const int fourth = is_far ? u : v;
   return {{static_cast<uint8_t>(base), static_cast<uint8_t>(base + second),
            static_cast<uint8_t>(base + u + v), static_cast<uint8_t>(base + fourth)}};
 }
@@ -103,13 +103,13 @@ struct Successors {
 // One link cuts off every run of on corners around a face, and keeps these corners on its left.
 constexpr void add_face_links(Configuration configuration, int face, Successors& successors) {
   const FaceCorners ring = face_corners(face);
-  bool on[4] = {};
-  for (int i = 0; i < 4; ++i) on[i] = configuration >> ring.corner[i] & 1;
+  bool is_on[4] = {};
+  for (int i = 0; i < 4; ++i) is_on[i] = configuration >> ring.corner[i] & 1;
   for (int last = 0; last < 4; ++last) {
     const int after = (last + 1) % 4;
-    if (!on[last] || on[after]) continue;
+    if (!is_on[last] || is_on[after]) continue;
     int first = last;
-    while (on[(first + 3) % 4]) first = (first + 3) % 4;
+    while (is_on[(first + 3) % 4]) first = (first + 3) % 4;
     const int before = (first + 3) % 4;
     successors.next[midpoint(ring.corner[last], ring.corner[after])] =
         midpoint(ring.corner[before], ring.corner[first]);

@@ -47,9 +47,9 @@ struct Derived {
 
 // Returns twice the area of a face's on part, in square half-steps, by the bits of its corners in
 // ring order.
-constexpr uint8_t twice_on_area(int on_count, bool diagonal) {
+constexpr uint8_t twice_on_area(int on_count, bool is_diagonal) {
   constexpr uint8_t by_count[] = {0, 1, 4, 7, 8};
-  return diagonal ? 2 : by_count[on_count];
+  return is_diagonal ? 2 : by_count[on_count];
 }
 
 // Returns six times the volume of the pyramids from the centroid to the on parts of the faces.
@@ -57,10 +57,10 @@ constexpr int face_pyramids(Configuration configuration) {
   int sum = 0;
   for (int face = 0; face < faces; ++face) {
     const detail::derive::FaceCorners ring = detail::derive::face_corners(face);
-    bool on[4] = {};
+    bool is_on[4] = {};
     int count = 0;
-    for (int i = 0; i < 4; ++i) count += on[i] = configuration >> ring.corner[i] & 1;
-    sum += twice_on_area(count, count == 2 && on[0] == on[2]);
+    for (int i = 0; i < 4; ++i) count += is_on[i] = configuration >> ring.corner[i] & 1;
+    sum += twice_on_area(count, count == 2 && is_on[0] == is_on[2]);
   }
   return sum;
 }

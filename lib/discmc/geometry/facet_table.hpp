@@ -10,7 +10,7 @@
 
 namespace discmc {
 
-/// A facet's place within a plane and cell, 0 to 7:
+/// The number of a facet among those of one incidence in a cell, 0 to 7:
 ///   axis incidences      the direction of the triangle's link of length 2, halved: 4 shapes
 ///   diagonal incidences  the rectangle cuts off the cell edge: 0 on the on side, 1 on the off side
 ///   corner incidences    the triangle cuts off a corner: 0 and 1 likewise;

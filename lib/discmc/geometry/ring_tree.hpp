@@ -1,4 +1,4 @@
-// A tree of waiting rings, sorted by plane and place.
+// A tree of waiting rings, sorted by plane and by position in the plane.
 //
 // The tree finds which rings lie inside another ring. A point beside each ring represents it, so
 // the ring lies on one line of its plane. The nearest side of the other ring before the point
@@ -173,7 +173,7 @@ class RingTree {
   DISCMC_NOINLINE static ProjectedPoint point(const Rings& rings, uint32_t ring) {
     return point_beside(rings.incidence(ring), rings.start(ring), rings.first(ring));
   }
-  // Whether a ring lies at a place or behind it, by plane, line and position on the line.
+  // Whether a ring lies at a point or behind it, by plane, line and position on the line.
   static bool is_behind(const Rings& rings, uint32_t ring, const Plane& plane,
                         const ProjectedPoint& at) {
     const Incidence incidence = rings.incidence(ring);

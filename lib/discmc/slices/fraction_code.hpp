@@ -35,10 +35,10 @@ class FractionCode {
       known_ = FractionEntry::along_x_and_y;
       has_key_fractions_ = are_key_edges_known_ && (row.crosses & 4) != 0;
       row_.crosses = row.crosses & 3;
-      row_.below = row_.below_behind = off;
-      key_below_ = row.below;
+      row_.slice_before = row_.both_before = off;
+      key_below_ = row.slice_before;
     }
-    begin_pass();
+    begin_edges();
   }
   /// Ends a row that was skipped.
   void end() {
@@ -55,7 +55,7 @@ class FractionCode {
 
   /// Codes the next fraction, or the number of fractions that come last. Returns false if no
   /// encoder wrote the bits. Limit: not is_done(). Cost: 1 or 2 decisions; for a number, up to 16,
-  /// and 15 even bits.
+  /// and 15 raw bits.
   template <class Coder>
   DISCMC_ALWAYS_INLINE bool step(Coder& coder) {
     if (part_ == Part::count) return code_count(coder);
@@ -73,7 +73,7 @@ class FractionCode {
   static constexpr uint32_t eighths = 7;  // the bits of a fraction in an entry
   static constexpr int32_t none = INT32_MIN;
 
-  void begin_pass() {
+  void begin_edges() {
     word_ = UINT32_MAX;
     voxels_ = 0;
     find_voxel();
@@ -91,8 +91,8 @@ class FractionCode {
     bit_ = static_cast<uint8_t>(trailing_zeros(voxels_));
     voxels_ &= voxels_ - 1;
     // See alike_.
-    uint32_t alike = voxels_of(row_.here) | voxels_of(row_.behind) << 3 |
-                     voxels_of(row_.below) << 6 | voxels_of(row_.below_behind) << 9;
+    uint32_t alike = voxels_of(row_.here) | voxels_of(row_.row_before) << 3 |
+                     voxels_of(row_.slice_before) << 6 | voxels_of(row_.both_before) << 9;
     is_on_ = (alike & 2) != 0;
     if (!is_on_) alike ^= 0xFFF;
     alike_ = static_cast<uint16_t>(alike);
@@ -108,12 +108,12 @@ class FractionCode {
     part_ = Part::count;
     has_key_edges_ = false;
     row_.crosses = has_key_fractions_ ? 4 : 0;
-    row_.below = key_below_;
+    row_.slice_before = key_below_;
     count_ = 0;
     for (uint32_t word = 0; word < row_.words; ++word)
       for (uint32_t any = row_.find(word); any != 0; any &= any - 1) ++count_;
   }
-  void pass_edge() {
+  void advance_edge() {
     axes_ &= axes_ - 1;
     if (axes_ == 0) find_voxel();
   }
@@ -131,18 +131,18 @@ class FractionCode {
   template <class Coder>
   DISCMC_ALWAYS_INLINE void code_edge(Coder& coder) {
     const uint32_t axis = this->axis();
-    uint16_t& entry = row_.now[voxel()];
-    const uint32_t place = 3 * axis;
-    const uint32_t known = entry >> place & eighths;
+    uint16_t& entry = row_.entries[voxel()];
+    const uint32_t shift = 3 * axis;
+    const uint32_t known = entry >> shift & eighths;
     const uint32_t written = is_on_ ? known : 8 - known;
     const uint32_t read = code_fraction(coder, context_of(axis), written);
     const uint32_t fraction = is_on_ ? read : 8 - read;
     if (read != written) {  // a reader
-      entry = static_cast<uint16_t>(entry | fraction << place);
-      *row_.is_any = true;
+      entry = static_cast<uint16_t>(entry | fraction << shift);
+      *row_.has_fractions = true;
     }
-    if (axis < 2) row_.queue->put(fraction);
-    pass_edge();
+    if (axis < 2) row_.queue->push(fraction);
+    advance_edge();
   }
 
   // Returns the crossing of a parallel edge of the same cell. lower, upper: its ends, as bits of
@@ -188,28 +188,28 @@ class FractionCode {
   }
 
   DISCMC_ALWAYS_INLINE uint32_t context_of(uint32_t axis) const {
-    const uint16_t* const now = row_.now + voxel();
-    const uint16_t* const before = row_.before + voxel();
-    const uint32_t here = now[0] & known_, left = now[-1] & known_;
-    const uint32_t behind = before[0] & known_;
+    const uint16_t* const entry = row_.entries + voxel();
+    const uint16_t* const entry_before = row_.entries_before + voxel();
+    const uint32_t here = entry[0] & known_, left = entry[-1] & known_;
+    const uint32_t before = entry_before[0] & known_;
     int32_t crossing;
     uint32_t lower, upper = 0, next = 0, forward = 0;
     if (axis == 0) {
-      crossing = plane(beside(3, 4, behind), beside(6, 7, here >> 9), beside(9, 10, behind >> 9));
+      crossing = plane(beside(3, 4, before), beside(6, 7, here >> 9), beside(9, 10, before >> 9));
       lower = left & FractionEntry::own;
     } else if (axis == 1) {
       crossing =
           plane(beside(3, 0, left >> 3), beside(10, 7, here >> 12), beside(9, 6, left >> 12));
-      lower = behind & FractionEntry::own;
+      lower = before & FractionEntry::own;
       upper = here & eighths;
-      next = before[1];
+      next = entry_before[1];
       forward = forward_context(5);
     } else {
-      crossing = plane(beside(6, 0, left >> 6), beside(10, 4, behind >> 6),
-                       beside(9, 3, (before[-1] & known_) >> 6));
-      lower = here >> FractionEntry::below;
+      crossing = plane(beside(6, 0, left >> 6), beside(10, 4, before >> 6),
+                       beside(9, 3, (entry_before[-1] & known_) >> 6));
+      lower = here >> FractionEntry::slice_before_shift;
       upper = here & FractionEntry::along_x_and_y;
-      next = now[1] >> FractionEntry::below;
+      next = entry[1] >> FractionEntry::slice_before_shift;
       forward = forward_context(8);
     }
     lower |= ((8 - (next & eighths)) & eighths) << 9;
@@ -228,38 +228,39 @@ class FractionCode {
       return ++left_ < fraction_context::count_widths;
     if (left_ > 0) {
       const uint32_t top = uint32_t{1} << (left_ - 1);
-      left_ = top | coder.even(left_ - 1, count_ & (top - 1));
+      left_ = top | coder.raw_bits(left_ - 1, count_ & (top - 1));
     }
     if (left_ > row_.width || (are_key_edges_known_ && left_ != count_)) return false;
     part_ = left_ > 0 ? Part::key_edges : Part::done;
-    if (left_ > 0 && are_key_edges_known_) begin_pass();
+    if (left_ > 0 && are_key_edges_known_) begin_edges();
     return true;
   }
 
   template <class Coder>
   void code_key_edge(Coder& coder) {
     const uint32_t context = fraction_context::key_edge + (last_ + 1U) / 2;
-    uint16_t& entry = row_.now[are_key_edges_known_ ? voxel() : 0];
+    uint16_t& entry = row_.entries[are_key_edges_known_ ? voxel() : 0];
     last_ = static_cast<uint8_t>(code_fraction(coder, context, entry >> 6 & eighths));
     if (are_key_edges_known_) {
-      *row_.is_any = true;
+      *row_.has_fractions = true;
       entry = static_cast<uint16_t>((entry & ~(eighths << 6)) | static_cast<uint32_t>(last_) << 6);
-      pass_edge();
+      advance_edge();
     }
     if (--left_ == 0) part_ = Part::done;
   }
 
   FractionRow row_;
   FractionModel* model_ = nullptr;
-  const uint32_t* key_below_ = nullptr;  // FractionRow::below of edges along z into a key slice
-  uint32_t voxels_ = 0;                  // of the word, after the next edge's voxel
+  const uint32_t* key_below_ =
+      nullptr;           // FractionRow::slice_before of edges along z into a key slice
+  uint32_t voxels_ = 0;  // of the word, after the next edge's voxel
   uint32_t word_ = 0;
   uint32_t axes_ = 0;   // a bit per edge of this voxel that is not coded yet
   uint32_t left_ = 0;   // edges along z into a key slice; before their number, its ones so far
   uint32_t count_ = 0;  // number of these edges
   uint16_t known_ = 0;  // bits of entries on which contexts depend
   // Voxels that equal this one, a bit each: x - 1, x and x + 1 of four rows. Bits 0 to 2 belong to
-  // row_.here, 3 to 5 to row_.behind, 6 to 8 to row_.below, 9 to 11 to row_.below_behind.
+  // row_.here, 3 to 5 to row_.row_before, 6 to 8 to row_.slice_before, 9 to 11 to row_.both_before.
   uint16_t alike_ = 0;
   uint8_t bit_ = 0;   // index of the next edge's voxel
   uint8_t last_ = 0;  // previous fraction

@@ -58,8 +58,8 @@ class FractionIntake {
                 distance_of(voxel > column ? *(sample - stride) : samples_[voxel - 1], doubled_);
           const bool is_on = (row.here[word] >> bit & 1) != 0;
           const uint32_t found = fraction(lower, distance_of(*sample, doubled_), is_on);
-          row.now[voxel] = static_cast<uint16_t>(row.now[voxel] | found << 3 * axis);
-          *row.is_any = true;
+          row.entries[voxel] = static_cast<uint16_t>(row.entries[voxel] | found << 3 * axis);
+          *row.has_fractions = true;
         }
       }
     }

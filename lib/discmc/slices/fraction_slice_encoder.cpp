@@ -110,7 +110,7 @@ void FractionSliceEncoder<Sample>::begin_code() {
   }
   using KeyEdges = FractionCode::KeyEdges;
   const KeyEdges key_edges = is_key && slices() > 0 ? KeyEdges::known : KeyEdges::none;
-  if (key_edges == KeyEdges::none && !fractions_.is_any(surface_)) return code_.end();
+  if (key_edges == KeyEdges::none && !fractions_.has_fractions(surface_)) return code_.end();
   code_.begin(around(surface_), fractions_.model(surface_), key_edges,
               surfaces_[surface_].rows.off());
 }

@@ -3,10 +3,10 @@
 #define DISCMC_SLICES_FRACTIONS_HPP
 
 #include <discmc/limits.hpp>
+#include <discmc/slices/coded_surfaces.hpp>
 #include <discmc/slices/fraction_model.hpp>
 #include <discmc/slices/fraction_queue.hpp>
 #include <discmc/slices/row_code.hpp>
-#include <discmc/slices/surfaces.hpp>
 
 namespace discmc::detail::slices {
 
@@ -14,30 +14,30 @@ namespace discmc::detail::slices {
 /// of the voxel in the previous slice.
 struct FractionEntry {
   static constexpr uint32_t along_x_and_y = 0x3F, own = 0x1FF, all = 0x7FFF;
-  static constexpr uint32_t below = 9;  // position of these higher bits
+  static constexpr uint32_t slice_before_shift = 9;  ///< of these higher bits
 };
 
-/// A row of voxels, its fractions and its surroundings. Owner: Surfaces and Fractions.
+/// A row of voxels, its fractions and its surroundings. Owner: CodedSurfaces and Fractions.
 struct FractionRow {
-  const uint32_t* here;
-  const uint32_t* behind;        ///< row y - 1
-  const uint32_t* below;         ///< row y of the slice before
-  const uint32_t* below_behind;  ///< row y - 1 of the slice before
-  uint16_t* now;                 ///< one entry per voxel, see FractionEntry
-  const uint16_t* before;        ///< entries of row y - 1
-  FractionQueue* queue;          ///< for the next slice
-  bool* is_any;                  ///< whether the row has a fraction
+  const uint32_t* here;            ///< row y
+  const uint32_t* row_before;      ///< row y - 1
+  const uint32_t* slice_before;    ///< row y of the slice before
+  const uint32_t* both_before;     ///< row y - 1 of the slice before
+  uint16_t* entries;               ///< one entry per voxel, see FractionEntry
+  const uint16_t* entries_before;  ///< entries of row y - 1
+  FractionQueue* queue;            ///< for the next slice
+  bool* has_fractions;             ///< whether the row has a fraction
   uint32_t width;
   uint16_t words;
   uint8_t crosses;  ///< bit per axis: whether edges along it have fractions
 
   /// Whether no edge crosses, because the three rows are off. Limit: an encoder's rows, whose first
   /// bit is set if a voxel is on.
-  bool is_off() const { return ((here[0] | behind[0] | below[0]) & 1) == 0; }
+  bool is_off() const { return ((here[0] | row_before[0] | slice_before[0]) & 1) == 0; }
   /// Whether find() finds nothing in a word, as in most words.
   DISCMC_ALWAYS_INLINE bool is_level(uint32_t word) const {
     const uint32_t on = here[word];
-    const uint32_t along = (on ^ on << 1) | (on ^ behind[word]) | (on ^ below[word]);
+    const uint32_t along = (on ^ on << 1) | (on ^ row_before[word]) | (on ^ slice_before[word]);
     return (along & trace::own_columns) == 0;
   }
   /// Returns the voxels of a word with an edge that has a fraction.
@@ -47,10 +47,10 @@ struct FractionRow {
     return (here[word] ^ here[word] << 1) & columns_along_x(word) & mask(0);
   }
   uint32_t along_y(uint32_t word) const {
-    return (here[word] ^ behind[word]) & trace::own_columns & mask(1);
+    return (here[word] ^ row_before[word]) & trace::own_columns & mask(1);
   }
   uint32_t along_z(uint32_t word) const {
-    return (here[word] ^ below[word]) & trace::own_columns & mask(2);
+    return (here[word] ^ slice_before[word]) & trace::own_columns & mask(2);
   }
 
  private:
@@ -77,18 +77,19 @@ class Fractions {
     width_ = header.width;
     height_ = header.height;
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
-      of_[surface].entries = arena.allocate<FourEntries>(2 * fours(width_));
-      of_[surface].model.start(arena, header.levels);
-      of_[surface].queue.start(arena, {header.width, header.height, header.border}, header.levels);
+      surfaces_[surface].entries = arena.allocate<FourEntries>(2 * fours(width_));
+      surfaces_[surface].model.start(arena, header.levels);
+      surfaces_[surface].queue.start(arena, {header.width, header.height, header.border},
+                                     header.levels);
     }
     has_samples_ = arena.allocate<uint32_t>(flag_words(height_));
   }
   /// Call it before the first row, and after a loss.
   void clear() {
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
-      of_[surface].queue.clear();
+      surfaces_[surface].queue.clear();
       for (uint32_t row = 0; row < 2; ++row) {
-        of_[surface].is_clear[row] = false;
+        surfaces_[surface].is_clear[row] = false;
         clear_row(surface, row != 0);
       }
     }
@@ -97,52 +98,54 @@ class Fractions {
   /// Begins a key slice.
   void begin_models() {
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
-      of_[surface].model.begin();
-      of_[surface].queue.begin();
+      surfaces_[surface].model.begin();
+      surfaces_[surface].queue.begin();
     }
   }
-  FractionModel& model(uint32_t surface) { return of_[surface].model; }
+  FractionModel& model(uint32_t surface) { return surfaces_[surface].model; }
 
   /// Begins the arriving row, with the fractions of the previous slice.
   void begin_row(const detail::trace::BitRows& rows, uint32_t surface) {
     clear_row(surface, is_odd_);
-    if (of_[surface].queue.has_next()) take_row(rows, surface);
+    if (surfaces_[surface].queue.has_next()) dequeue_row(rows, surface);
   }
   /// Whether the arriving row has a fraction.
-  bool is_any(uint32_t surface) const { return of_[surface].is_any[is_odd_ ? 1 : 0]; }
+  bool has_fractions(uint32_t surface) const {
+    return surfaces_[surface].has_fractions[is_odd_ ? 1 : 0];
+  }
   /// Returns the arriving row and its surroundings. has_slice_before: whether its edges along z may
   /// cross.
   FractionRow around(const detail::trace::BitRows& rows, uint32_t surface, bool has_slice_before) {
     const uint32_t y = rows.rows();
     FractionRow row;
     row.here = rows.row(0);
-    row.behind = y > 0 ? rows.row(1) : rows.off();
-    row.below = has_slice_before ? rows.row(height_) : rows.off();
-    row.below_behind = has_slice_before && y > 0 ? rows.row(height_ + 1) : rows.off();
-    row.now = of(surface, is_odd_) + 1;
-    row.before = of(surface, !is_odd_) + 1;
-    row.queue = &of_[surface].queue;
+    row.row_before = y > 0 ? rows.row(1) : rows.off();
+    row.slice_before = has_slice_before ? rows.row(height_) : rows.off();
+    row.both_before = has_slice_before && y > 0 ? rows.row(height_ + 1) : rows.off();
+    row.entries = row_of(surface, is_odd_) + 1;
+    row.entries_before = row_of(surface, !is_odd_) + 1;
+    row.queue = &surfaces_[surface].queue;
     row.width = width_;
     row.words = static_cast<uint16_t>(rows.words());
     uint32_t crosses = 1;
     if (y > 0 && has_samples(y - 1)) crosses |= 2;
     if (has_slice_before && has_samples(y)) crosses |= 4;
     row.crosses = static_cast<uint8_t>(crosses);
-    row.is_any = &of_[surface].is_any[is_odd_ ? 1 : 0];
+    row.has_fractions = &surfaces_[surface].has_fractions[is_odd_ ? 1 : 0];
     return row;
   }
   /// Returns the entries of the arriving row.
-  const uint16_t* now(uint32_t surface) { return of(surface, is_odd_) + 1; }
+  const uint16_t* entries(uint32_t surface) { return row_of(surface, is_odd_) + 1; }
 
   /// Completes the arriving row of all surfaces. has_samples: whether it was not skipped.
   DISCMC_ALWAYS_INLINE void next_row(uint32_t y, bool has_samples) {
     const uint32_t bit = uint32_t{1} << y % 32;
-    had_samples_behind_ = this->has_samples(y);
+    had_samples_in_row_before_ = this->has_samples(y);
     has_samples_[y / 32] = (has_samples_[y / 32] & ~bit) | (has_samples ? bit : 0);
     is_odd_ = !is_odd_;
     if (y + 1 < height_) return;
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
-      of_[surface].queue.next_slice();
+      surfaces_[surface].queue.next_slice();
       clear_row(surface, !is_odd_);  // the first row of a slice has no row before it
     }
   }
@@ -150,14 +153,14 @@ class Fractions {
  private:
   // Two words, cleared at once.
   struct alignas(Arena::alignment) FourEntries {
-    uint16_t of[4];
+    uint16_t entry[4];
   };
   struct OfSurface {
     FourEntries* entries = nullptr;
     FractionModel model;
     FractionQueue queue;
-    bool is_any[2] = {};    // whether each row has a fraction
-    bool is_clear[2] = {};  // whether all entries of each row are 0
+    bool has_fractions[2] = {};  // whether each row has a fraction
+    bool is_clear[2] = {};       // whether all entries of each row are 0
   };
 
   // Returns the groups of four in a row, with one more entry on either side.
@@ -165,53 +168,53 @@ class Fractions {
   static constexpr uint32_t flag_words(uint32_t height) { return (height + 31) / 32; }
   void clear_row(uint32_t surface, bool is_odd) {
     const uint32_t row = is_odd ? 1 : 0;
-    bool& is_any = of_[surface].is_any[row];
-    bool& is_clear = of_[surface].is_clear[row];
-    if (is_clear && !is_any) return;
-    is_any = false;
+    bool& has_fractions = surfaces_[surface].has_fractions[row];
+    bool& is_clear = surfaces_[surface].is_clear[row];
+    if (is_clear && !has_fractions) return;
+    has_fractions = false;
     is_clear = true;
-    FourEntries* entry = of_[surface].entries + row * fours(width_);
+    FourEntries* entry = surfaces_[surface].entries + row * fours(width_);
     const FourEntries* const end = entry + fours(width_);
     do *entry++ = {};
     while (entry != end);
   }
   // Removes this row's fractions of the previous slice from the queue.
-  DISCMC_ALWAYS_INLINE void take_row(const detail::trace::BitRows& rows, uint32_t surface) {
+  DISCMC_ALWAYS_INLINE void dequeue_row(const detail::trace::BitRows& rows, uint32_t surface) {
     const uint32_t y = rows.rows();
     FractionRow row;
     row.here = rows.row(height_);
-    row.behind = y > 0 ? rows.row(height_ + 1) : rows.off();
-    row.below = row.here;
+    row.row_before = y > 0 ? rows.row(height_ + 1) : rows.off();
+    row.slice_before = row.here;
     row.width = width_;
     row.words = static_cast<uint16_t>(rows.words());
-    row.crosses = !has_samples(y) ? 0 : y > 0 && had_samples_behind_ ? 3 : 1;
-    uint16_t* const entries = of(surface, is_odd_) + 1;
-    OfSurface& from = of_[surface];
+    row.crosses = !has_samples(y) ? 0 : y > 0 && had_samples_in_row_before_ ? 3 : 1;
+    uint16_t* const row_entries = row_of(surface, is_odd_) + 1;
+    OfSurface& of_surface = surfaces_[surface];
     for (uint32_t word = 0; word < row.words; ++word) {
       if (row.is_level(word)) continue;
       const uint32_t along_x = row.along_x(word), along_y = row.along_y(word);
       for (uint32_t any = along_x | along_y; any != 0; any &= any - 1) {
         const uint32_t bit = trailing_zeros(any);
         uint32_t known = 0;
-        if ((along_x >> bit & 1) != 0) known = from.queue.take();
-        if ((along_y >> bit & 1) != 0) known |= from.queue.take() << 3;
-        entries[word * detail::trace::columns_per_word + bit - 2] =
-            static_cast<uint16_t>(known << FractionEntry::below);
-        from.is_clear[is_odd_ ? 1 : 0] = false;
+        if ((along_x >> bit & 1) != 0) known = of_surface.queue.pop();
+        if ((along_y >> bit & 1) != 0) known |= of_surface.queue.pop() << 3;
+        row_entries[word * detail::trace::columns_per_word + bit - 2] =
+            static_cast<uint16_t>(known << FractionEntry::slice_before_shift);
+        of_surface.is_clear[is_odd_ ? 1 : 0] = false;
       }
     }
   }
-  uint16_t* of(uint32_t surface, bool is_odd) {
-    return of_[surface].entries[is_odd ? fours(width_) : 0].of;
+  uint16_t* row_of(uint32_t surface, bool is_odd) {
+    return surfaces_[surface].entries[is_odd ? fours(width_) : 0].entry;
   }
   bool has_samples(uint32_t y) const { return (has_samples_[y / 32] >> y % 32 & 1) != 0; }
 
-  OfSurface of_[StreamHeader::max_surfaces];
+  OfSurface surfaces_[StreamHeader::max_surfaces];
   uint32_t surface_count_ = 0;
   uint32_t width_ = 0;
   uint32_t height_ = 0;
-  uint32_t* has_samples_ = nullptr;  // a bit per row: the last row at this place has samples
-  bool had_samples_behind_ = false;  // of the row behind, in the previous slice
+  uint32_t* has_samples_ = nullptr;  // a bit per row: whether the last row with this y has samples
+  bool had_samples_in_row_before_ = false;  // in the previous slice
   bool is_odd_ = false;
 };
 

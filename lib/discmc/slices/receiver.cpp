@@ -11,19 +11,19 @@ Status Receiver::start(Memory memory, const Sink& sink, uint8_t channel) {
 Decoded Receiver::push(const uint8_t* bytes, size_t count) {
   if (is_over_) decoder_.start_next();
   is_over_ = false;
-  for (size_t taken = 0;;) {
+  for (size_t consumed = 0;;) {
     if (is_at_end()) {
       const Status status = decoder_.finish();
       is_over_ = status == Status::ok;
-      return {is_over_ ? Status::finished : status, taken};
+      return {is_over_ ? Status::finished : status, consumed};
     }
     // Processes one frame at a time, because the next may belong to another scan.
-    size_t end = taken;
+    size_t end = consumed;
     while (end < count && bytes[end++] != 0) continue;
-    const Decoded decoded = decoder_.push(bytes + taken, end - taken);
-    taken += decoded.bytes;
-    if (decoded.status != Status::ok || (taken == count && !is_at_end()))
-      return {decoded.status, taken};
+    const Decoded decoded = decoder_.push(bytes + consumed, end - consumed);
+    consumed += decoded.bytes;
+    if (decoded.status != Status::ok || (consumed == count && !is_at_end()))
+      return {decoded.status, consumed};
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace discmc::detail::slices {
 
-/// The rows that contain the neighbours of a row's voxels. Owner: Surfaces.
+/// The rows that contain the neighbours of a row's voxels. Owner: CodedSurfaces.
 struct RowsBefore {
   const uint32_t* nearest;  ///< its voxels 0, 1 and 2 are neighbours: see slice_model.hpp
   const uint32_t* next;     ///< 3, 4 and 5
@@ -47,7 +47,7 @@ enum class RowNote : uint8_t {
 constexpr uint32_t note_bits = 3;
 
 /// The position in a row that is written or read. A coder's code_bit(probability, bit) and
-/// even(bits, value) write the value, or return the one that they read.
+/// raw_bits(bits, value) write the value, or return the one that they read.
 class RowCode {
  public:
   /// row: in the format of BitRows, of `width` voxels; reading writes to it. Limit: before reading,
@@ -80,7 +80,7 @@ class RowCode {
     } else {
       uint32_t same = same_voxels(level);
       const bool is_whole = coder.code_bit(model[run_context(level)], same == level);
-      same = is_whole ? level : coder.even(bit_width(level - 1), same);
+      same = is_whole ? level : coder.raw_bits(bit_width(level - 1), same);
       if (!is_whole && same >= level) return false;
       write_equal(same);
       if (is_whole) return true;
@@ -129,15 +129,15 @@ class RowCode {
       return beside >> 1 | below;
     });
   }
-  // Returns the number of voxels from here on that equal the previous one, at most `most`.
-  uint32_t same_voxels(uint32_t most) const {
-    return voxels_before(most, [this](uint32_t word) { return row_[word] ^ as_before_; });
+  // Returns the number of voxels from here on that equal the previous one, at most `limit`.
+  uint32_t same_voxels(uint32_t limit) const {
+    return voxels_before(limit, [this](uint32_t word) { return row_[word] ^ as_before_; });
   }
-  // Returns the number of voxels from here on before the first whose bit is set, at most `most`.
+  // Returns the number of voxels from here on before the first whose bit is set, at most `limit`.
   template <class Bits>
-  uint32_t voxels_before(uint32_t most, Bits bits) const {
+  uint32_t voxels_before(uint32_t limit, Bits bits) const {
     uint32_t passed = 0;
-    for (uint32_t word = word_, bit = bit_; passed < most; ++word, bit = 1) {
+    for (uint32_t word = word_, bit = bit_; passed < limit; ++word, bit = 1) {
       const uint32_t rest = (bits(word) & detail::trace::own_columns) >> bit;
       if (rest != 0) {
         passed += trailing_zeros(rest);
@@ -145,7 +145,7 @@ class RowCode {
       }
       passed += detail::trace::columns_per_word + 1 - bit;
     }
-    return passed < most ? passed : most;
+    return passed < limit ? passed : limit;
   }
 
   uint32_t run_context(uint32_t level) const {

@@ -26,8 +26,8 @@ struct RowWriter {
     } while (bits > 0);
     return value;
   }
-  /// Writes this many even bits, the highest first.
-  uint32_t even(uint32_t bits, uint32_t value) {
+  /// Writes this many raw bits, the highest first: all values are equally likely.
+  uint32_t raw_bits(uint32_t bits, uint32_t value) {
     while (bits > 0) range.encode((value >> --bits & 1) != 0, Probability{128});
     return value;
   }
@@ -54,7 +54,7 @@ struct RowReader {
     } while (bits > 0);
     return value;
   }
-  uint32_t even(uint32_t bits, uint32_t) {
+  uint32_t raw_bits(uint32_t bits, uint32_t) {
     uint32_t value = 0;
     for (; bits > 0; --bits) value = value << 1 | (range.decode(Probability{128}) ? 1 : 0);
     return value;

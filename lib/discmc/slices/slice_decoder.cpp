@@ -39,15 +39,15 @@ void SliceDecoder::clear() {
 
 Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
   if (!is_started_) return {Status::not_started, 0};
-  for (size_t taken = 0;; ++taken) {
-    if (refusal_ != Status::ok) return {refusal_, taken};
-    if (!deliver()) return {status_of(answer_), taken};
-    if (taken == count) return {Status::ok, count};
-    open(packets_.add(bytes[taken]));
+  for (size_t consumed = 0;; ++consumed) {
+    if (refusal_ != Status::ok) return {refusal_, consumed};
+    if (!deliver()) return {status_of(answer_), consumed};
+    if (consumed == count) return {Status::ok, count};
+    open(packets_.add(bytes[consumed]));
   }
 }
 
-Status SliceDecoder::give_memory(Memory memory) {
+Status SliceDecoder::set_memory(Memory memory) {
   if (!is_started_) return Status::not_started;
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;
@@ -199,7 +199,7 @@ void SliceDecoder::read() {
     }
     if (is_row_done()) {
       is_row_begun_ = false;
-      if (header().levels != 0 && fractions_.is_any(surface_))
+      if (header().levels != 0 && fractions_.has_fractions(surface_))
         surfaces_with_fractions_ |= static_cast<uint8_t>(1 << surface_);
       if (++surface_ < surfaces_.count()) continue;
       surface_ = 0;
@@ -255,7 +255,7 @@ void SliceDecoder::begin_fractions() {
 bool SliceDecoder::read_note() {
   note_ = RowNote::none;
   if (!coder_.code_bit(surfaces_.note(), false)) return true;
-  const uint32_t note = coder_.even(detail::slices::note_bits, 0);
+  const uint32_t note = coder_.raw_bits(detail::slices::note_bits, 0);
   if (note >= static_cast<uint32_t>(RowNote::none)) return false;
   note_ = static_cast<RowNote>(note);
   return note_ != RowNote::repeated || !is_key_ahead_;
@@ -340,7 +340,7 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
     application = packets_.application();
     event.application = &application;
   } else if (kind == RowEvent::Kind::fractions) {
-    const uint16_t* const entries = fractions_.now(surface_);
+    const uint16_t* const entries = fractions_.entries(surface_);
     for (uint32_t x = 0; x < header().width; ++x)
       fractions_of_row_[x] = entries[x] & detail::slices::FractionEntry::own;
     event.fractions = fractions_of_row_;

@@ -81,7 +81,7 @@ PushResult SliceEncoder::push_bits(const uint8_t* bits) {
   const Status status = ready_for_row();
   if (status != Status::ok) return {status, 0};
   if (column() != 0) return {Status::row_in_progress, 0};
-  for (detail::slices::Surface& surface : surfaces_) {
+  for (detail::slices::CodedSurface& surface : surfaces_) {
     surface.rows.append_bits(bits);
     bits += (packets_.header().width + 7) / 8;
   }
@@ -93,7 +93,7 @@ PushResult SliceEncoder::skip_row(Substitute substitute) {
   if (status != Status::ok) return {status, 0};
   if (column() != 0) return {Status::row_in_progress, 0};
   const bool is_repeated = substitute == Substitute::previous_row;
-  for (detail::slices::Surface& surface : surfaces_) {
+  for (detail::slices::CodedSurface& surface : surfaces_) {
     if (is_repeated)
       surface.rows.repeat();
     else
@@ -253,7 +253,8 @@ bool SliceEncoder::is_at_key_slice() const {
 
 void SliceEncoder::encode_note(RowNote note) {
   coder_.code_bit(surfaces_.note(), note != RowNote::none);
-  if (note != RowNote::none) coder_.even(detail::slices::note_bits, static_cast<uint32_t>(note));
+  if (note != RowNote::none)
+    coder_.raw_bits(detail::slices::note_bits, static_cast<uint32_t>(note));
 }
 
 // ---- packets ----

@@ -27,17 +27,17 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
 }
 
 Decoded SurfaceDecoder::push(const uint8_t* bytes, size_t count) {
-  size_t taken = 0;
+  size_t consumed = 0;
   // The header determines the kind of stream. Until then both decoders read.
-  while (!is_known_ && taken < count) {
-    const Decoded decoded = push_to_both(bytes + taken);
-    taken += decoded.bytes;
-    if (decoded.status != Status::ok) return {decoded.status, taken};
+  while (!is_known_ && consumed < count) {
+    const Decoded decoded = push_to_both(bytes + consumed);
+    consumed += decoded.bytes;
+    if (decoded.status != Status::ok) return {decoded.status, consumed};
   }
-  if (refusal_ != Status::ok) return {refusal_, taken};
-  const Decoded decoded = is_of_slices_ ? slices_.push(bytes + taken, count - taken)
-                                        : regions_.push(bytes + taken, count - taken);
-  return {decoded.status, taken + decoded.bytes};
+  if (refusal_ != Status::ok) return {refusal_, consumed};
+  const Decoded decoded = is_of_slices_ ? slices_.push(bytes + consumed, count - consumed)
+                                        : regions_.push(bytes + consumed, count - consumed);
+  return {decoded.status, consumed + decoded.bytes};
 }
 
 // Pushes one byte.
@@ -84,10 +84,10 @@ Status SurfaceDecoder::begin_sweep() {
                                             : static_cast<SurfaceDecoder*>(context)->pass(event);
   };
   const Status status = extractor_.start(limits, any, rest, {this, pass_all_else});
-  return status == Status::ok ? slices_.give_memory(memory_) : status;
+  return status == Status::ok ? slices_.set_memory(memory_) : status;
 }
 
-Status SurfaceDecoder::give_memory(Memory memory) {
+Status SurfaceDecoder::set_memory(Memory memory) {
   if (sink_.accept == nullptr) return Status::not_started;
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;

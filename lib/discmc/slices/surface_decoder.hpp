@@ -23,7 +23,7 @@ class SurfaceDecoder {
     regions_.set_packet_passthrough(sink);
   }
   Decoded push(const uint8_t* bytes, size_t count);
-  [[nodiscard]] Status give_memory(Memory memory);
+  [[nodiscard]] Status set_memory(Memory memory);
   [[nodiscard]] Status finish();
   static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1,
                                           uint32_t levels = 0) {

@@ -30,11 +30,11 @@ void Decoder::clear() {
 
 Decoded Decoder::push(const uint8_t* bytes, size_t count) {
   if (!is_started_) return {Status::not_started, 0};
-  for (size_t taken = 0;; ++taken) {
-    if (packets_.is_refused()) return {Status::wrong_version, taken};
-    if (!deliver()) return {status_of(answer_), taken};
-    if (taken == count) return {Status::ok, count};
-    open(packets_.add(bytes[taken]));
+  for (size_t consumed = 0;; ++consumed) {
+    if (packets_.is_refused()) return {Status::wrong_version, consumed};
+    if (!deliver()) return {status_of(answer_), consumed};
+    if (consumed == count) return {Status::ok, count};
+    open(packets_.add(bytes[consumed]));
   }
 }
 
@@ -132,15 +132,15 @@ void Decoder::read_record() {
 }
 
 void Decoder::read_extension() {
-  const uint32_t type = model_.even(8, 0);
-  uint32_t bytes = model_.even(8, 0);
+  const uint32_t type = model_.raw_bits(8, 0);
+  uint32_t bytes = model_.raw_bits(8, 0);
   if (type >= detail::stream::first_normals_extension &&
       type <= detail::stream::last_normals_extension) {
     normals_.decode(model_, type, bytes);
     are_normals_ahead_ = true;
     return;
   }
-  for (; bytes > 0; --bytes) model_.even(8, 0);
+  for (; bytes > 0; --bytes) model_.raw_bits(8, 0);
 }
 
 void Decoder::read_mark(RecordKind kind) {
@@ -153,7 +153,7 @@ void Decoder::read_mark(RecordKind kind) {
     mark_.kind = Event::Kind::skipped;
     mark_.slice = model_.plain_number(0);
     mark_.row = model_.plain_number(0);
-    mark_.is_repeated = model_.even(1, 0) != 0;
+    mark_.is_repeated = model_.raw_bits(1, 0) != 0;
   }
   stage_ = Stage::mark;
 }

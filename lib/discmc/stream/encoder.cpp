@@ -236,7 +236,7 @@ DISCMC_ALWAYS_INLINE bool Encoder::encode_whole(Model& model, const Event& event
       model.record_kind(detail::stream::RecordKind::skipped);
       model.plain_number(event.slice);
       model.plain_number(event.row);
-      model.even(1, event.is_repeated ? 1 : 0);
+      model.raw_bits(1, event.is_repeated ? 1 : 0);
       return true;
     default:
       if constexpr (is_host)

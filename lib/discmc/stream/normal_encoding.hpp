@@ -77,13 +77,13 @@ void encode_normals(Model& model, const Record& record, const OctahedralNormal* 
   const uint32_t total = 16 + 2 * bits * (runs - 1);
   const uint32_t bytes = (total + 7) / 8;
   model.record_kind(RecordKind::extension);
-  model.even(8, first_normals_extension + bits);
-  model.even(8, bytes);
+  model.raw_bits(8, first_normals_extension + bits);
+  model.raw_bits(8, bytes);
   for_each([&](OctahedralNormal normal, OctahedralNormal before, bool is_first) {
-    model.even(is_first ? 8 : bits, is_first ? normal.u : number_of(before.u, normal.u));
-    model.even(is_first ? 8 : bits, is_first ? normal.v : number_of(before.v, normal.v));
+    model.raw_bits(is_first ? 8 : bits, is_first ? normal.u : number_of(before.u, normal.u));
+    model.raw_bits(is_first ? 8 : bits, is_first ? normal.v : number_of(before.v, normal.v));
   });
-  model.even(8 * bytes - total, 0);
+  model.raw_bits(8 * bytes - total, 0);
 }
 
 template <class Model>
@@ -94,15 +94,15 @@ void RecordNormals::decode(Model& model, uint32_t type, uint32_t bytes) {
   const uint32_t bits = type - first_normals_extension;
   if (left >= 16) {
     left -= 16;
-    const auto u = static_cast<uint8_t>(model.even(8, 0));
-    normal_[count_++] = {u, static_cast<uint8_t>(model.even(8, 0))};
+    const auto u = static_cast<uint8_t>(model.raw_bits(8, 0));
+    normal_[count_++] = {u, static_cast<uint8_t>(model.raw_bits(8, 0))};
   }
   for (; count_ > 0 && count_ < Record::max_words && left >= 2 * bits; left -= 2 * bits) {
     const OctahedralNormal before = normal_[count_ - 1];
-    const uint8_t u = sum(before.u, model.even(bits, 0));
-    normal_[count_++] = {u, sum(before.v, model.even(bits, 0))};
+    const uint8_t u = sum(before.u, model.raw_bits(bits, 0));
+    normal_[count_++] = {u, sum(before.v, model.raw_bits(bits, 0))};
   }
-  for (; left > 0; --left) model.even(1, 0);
+  for (; left > 0; --left) model.raw_bits(1, 0);
 }
 
 }  // namespace discmc::detail::stream

@@ -6,13 +6,12 @@ namespace discmc {
 static_assert(Placement::record_bytes <= ApplicationRecord::max_bytes, "a record holds it");
 
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes) {
-  uint8_t* place = bytes;
+  uint8_t* end = bytes;
   for (const auto& axis : placement.axes_nm)
-    for (const int32_t along : axis)
-      place = detail::wire::put(place, static_cast<uint32_t>(along), 4);
+    for (const int32_t along : axis) end = detail::wire::put(end, static_cast<uint32_t>(along), 4);
   for (const int64_t along : placement.origin_nm)
-    place = detail::wire::put_long(place, static_cast<uint64_t>(along));
-  detail::wire::put(place, static_cast<uint8_t>(placement.space), 1);
+    end = detail::wire::put_long(end, static_cast<uint64_t>(along));
+  detail::wire::put(end, static_cast<uint8_t>(placement.space), 1);
   return {Placement::record_kind, 0, 0, bytes, Placement::record_bytes};
 }
 

@@ -44,23 +44,24 @@ class RangeEncoder {
 
   void encode(bool bit, Probability one) {
     narrow(bit, (range_ >> 8) * one);
-    if (range_ < min_range) shift();  // one shift suffices, because a share is at least a 256th
+    if (range_ < min_range)
+      shift();  // one shift suffices, because a probability is at least a 256th
   }
   void encode(bool bit, LearntProbability one) {
     narrow(bit, (range_ >> 16) * one.of_one());
     while (range_ < min_range) shift();
   }
 
-  /// Encodes a symbol with this share of the range, above `below`. Units: 256ths. Limit: share 1 to
-  /// 255.
-  void encode_share(uint32_t below, uint32_t share) {
+  /// Encodes a symbol of this frequency. below: the sum of the frequencies of all lower symbols.
+  /// Units: 256ths. Limit: frequency 1 to 255.
+  void encode_symbol(uint32_t below, uint32_t frequency) {
     const uint32_t unit = range_ >> 8;
     add(unit * below);
-    range_ = unit * share;
+    range_ = unit * frequency;
     if (range_ < min_range) shift();
   }
   /// Encodes the lower bits of a value, all values equally likely. Limit: at most 8 bits.
-  void encode_even(uint32_t bits, uint32_t value) {
+  void encode_raw_bits(uint32_t bits, uint32_t value) {
     range_ >>= bits;
     add(range_ * (value & ((uint32_t{1} << bits) - 1)));
     if (range_ < min_range) shift();
@@ -164,19 +165,19 @@ class RangeDecoder {
   bool decode(Probability one) { return decode_below((range_ >> 8) * one); }
   bool decode(LearntProbability one) { return decode_below((range_ >> 16) * one.of_one()); }
 
-  /// Decodes a symbol. row: the sum of the shares below each symbol, 0 for the first; a 0 follows
-  /// the last. The rest of the range, which no encoder uses, belongs to the last symbol.
-  uint32_t decode_share(const uint8_t* row) {
+  /// Decodes a symbol. below: the sum of the frequencies below each symbol, 0 for the first; a 0
+  /// follows the last. The rest of the range, which no encoder uses, belongs to the last symbol.
+  uint32_t decode_symbol(const uint8_t* below) {
     const uint32_t unit = range_ >> 8;
     uint32_t symbol = 0;
-    while (row[symbol + 1] != 0 && code_ >= unit * row[symbol + 1]) ++symbol;
-    code_ -= unit * row[symbol];
-    range_ = unit * static_cast<uint8_t>(row[symbol + 1] - row[symbol]);
+    while (below[symbol + 1] != 0 && code_ >= unit * below[symbol + 1]) ++symbol;
+    code_ -= unit * below[symbol];
+    range_ = unit * static_cast<uint8_t>(below[symbol + 1] - below[symbol]);
     refill();
     return symbol;
   }
   /// Decodes this many bits, all values equally likely. Limit: at most 8 bits.
-  uint32_t decode_even(uint32_t bits) {
+  uint32_t decode_raw_bits(uint32_t bits) {
     range_ >>= bits;
     uint32_t value = 0;
     while (bits-- > 0) {

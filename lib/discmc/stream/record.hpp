@@ -55,9 +55,9 @@ struct Record {
     word[mark + 3] = static_cast<uint32_t>(start.z);
   }
   /// How many of the first words belong to one ring, and so form one part.
-  uint32_t words_of_part(uint32_t most) const {
+  uint32_t words_of_part(uint32_t limit) const {
     uint32_t words = count > 0 && word[0] == ring_mark ? ring_words : 0;
-    while (words < most && word[words] != ring_mark) ++words;
+    while (words < limit && word[words] != ring_mark) ++words;
     return words;
   }
   /// Reverses the order of a fragment's runs.

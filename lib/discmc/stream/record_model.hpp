@@ -1,18 +1,19 @@
 // The grammar of a packet of records: the symbols of regions, loose fragments and marks.
 //
 // The same functions encode and decode, and each returns what was coded. A writing Coder writes the
-// argument of symbol(row, symbol) and returns it. A reading Coder ignores the argument and returns
-// the symbol that it reads. even(bits, value) works likewise, with all values equally likely.
+// argument of symbol(context, symbol) and returns it. A reading Coder ignores the argument and
+// returns the symbol that it reads. raw_bits(bits, value) works likewise, with all values equally
+// likely.
 //
-// A row is a distribution of symbols, trained on scans (shares.hpp). The model selects it by what
-// it coded before: the last vertex, incidence and direction. Rows do not adapt, and every packet
-// begins with the same state, so every packet decodes alone.
+// A context is a distribution of symbols, trained on scans (frequencies.hpp). The model selects it
+// by what it coded before: the last vertex, incidence and direction. Contexts do not adapt, and
+// every packet begins with the same state, so every packet decodes alone.
 #ifndef DISCMC_STREAM_RECORD_MODEL_HPP
 #define DISCMC_STREAM_RECORD_MODEL_HPP
 
+#include <discmc/stream/frequencies.hpp>
 #include <discmc/stream/range_coder.hpp>
 #include <discmc/stream/record.hpp>
-#include <discmc/stream/shares.hpp>
 
 namespace discmc::detail::stream {
 
@@ -111,8 +112,8 @@ constexpr uint32_t first_back(Incidence incidence) {
 constexpr uint32_t max_compact_length = 0xFFFF;
 
 /// The grammar of records, and the state that continues from record to record of a packet. A copy
-/// is a snapshot. Coder has: bool writes, uint32_t symbol(uint32_t row, uint32_t symbol), uint32_t
-/// even(uint32_t bits, uint32_t value) for up to 8 bits.
+/// is a snapshot. Coder has: bool writes, uint32_t symbol(uint32_t context, uint32_t symbol),
+/// uint32_t raw_bits(uint32_t bits, uint32_t value) for up to 8 bits.
 template <class Coder>
 class RecordModel {
  public:
@@ -128,9 +129,9 @@ class RecordModel {
   /// Codes the slice of a layer mark.
   uint32_t layer(uint32_t slice) { return slice_ += plain_number(slice - slice_); }
   /// Codes a number of up to 2^32 - 2.
-  uint32_t plain_number(uint32_t value) { return number(rows::plain, value + 1) - 1; }
+  uint32_t plain_number(uint32_t value) { return number(contexts::plain, value + 1) - 1; }
   /// Codes up to 32 bits, all values equally likely.
-  uint32_t even(uint32_t bits, uint32_t value);
+  uint32_t raw_bits(uint32_t bits, uint32_t value);
 
   /// Codes the start of a chain, relative to the last coded vertex. Limit: an odd coordinate sum.
   Vertex start(const Vertex& start);
@@ -143,12 +144,14 @@ class RecordModel {
 
   /// Codes three or four corners as one symbol; 0 if the ring is coded run by run. Otherwise the
   /// symbol is 1 + d0 + d1 n + d2 n^2, with n = link_class() + 1 and di = turn i less 1.
-  uint32_t corners(uint32_t corners) { return of_class(rows::corners(link_class_), corners); }
+  uint32_t corners(uint32_t corners) {
+    return class_symbol(contexts::corners(link_class_), corners);
+  }
   /// Codes the distance of the first direction from the first direction that leads back.
   uint32_t ring_direction(uint32_t from);
   /// Codes the first two lengths of a ring of four corners: 4 * (first - 1) + second - 1. Limit: 1
   /// to 4 each; 4 means 4 or more.
-  uint32_t two_lengths(uint32_t lengths) { return of_class(rows::two_lengths, lengths); }
+  uint32_t two_lengths(uint32_t lengths) { return class_symbol(contexts::two_lengths, lengths); }
 
   // ---- any chain ----
 
@@ -156,19 +159,20 @@ class RecordModel {
   /// Codes the first direction of a fragment or a part, or the direction on the other side of the
   /// vertex where it was cut.
   Direction chain_direction(Direction direction) {
-    if (direction_ != no_direction) return turn_from(rows::cut_turn + level_bit(), direction);
-    return direction_ = static_cast<Direction>(of_direction(rows::first_direction, direction));
+    if (direction_ != no_direction) return turn_from(contexts::cut_turn + level_bit(), direction);
+    return direction_ =
+               static_cast<Direction>(direction_symbol(contexts::first_direction, direction));
   }
   /// Codes the length of a run along a direction, or the rest of its length.
-  uint32_t length(uint32_t row, Direction direction, uint32_t length) {
+  uint32_t length(uint32_t context, Direction direction, uint32_t length) {
     const uint32_t kind = link_class_ == 2 && direction % 2 == 0 ? 3 : link_class_;
-    return number(row + rows::of_number * kind, length);
+    return number(context + contexts::of_number * kind, length);
   }
   /// Codes a run after another one. A decoded run is empty if it is too long.
   Run run(Run run);
   /// Codes whether the last coded run is the last of its chain.
   bool is_last_run(bool is_last) {
-    return symbol(rows::is_last + 4 * chain_ + 2 * level_bit(), is_last ? 1 : 0) != 0;
+    return symbol(contexts::is_last + 4 * chain_ + 2 * level_bit(), is_last ? 1 : 0) != 0;
   }
 
   /// Codes the header of a part, and sets it in the record. Returns whether the part begins a ring.
@@ -179,12 +183,16 @@ class RecordModel {
   bool is_backwards() const { return chain_ == backwards; }
 
  private:
-  uint32_t symbol(uint32_t row, uint32_t symbol) { return coder_.symbol(row, symbol); }
-  uint32_t of_class(uint32_t row, uint32_t value) { return symbol(class_rows_ + row, value); }
-  uint32_t of_direction(uint32_t place, uint32_t value) {
-    return of_class(rows::by_direction + place * directions(), value);
+  uint32_t symbol(uint32_t context, uint32_t symbol) { return coder_.symbol(context, symbol); }
+  // Codes a symbol in a context of the class. context: its offset in the block of the class.
+  uint32_t class_symbol(uint32_t context, uint32_t symbol) {
+    return this->symbol(class_contexts_ + context, symbol);
   }
-  uint32_t number(uint32_t row, uint32_t value);
+  // Codes a symbol in a context of directions. context: its offset in directions.
+  uint32_t direction_symbol(uint32_t context, uint32_t symbol) {
+    return class_symbol(contexts::by_direction + context * directions(), symbol);
+  }
+  uint32_t number(uint32_t context, uint32_t value);
   void set_incidence(Incidence incidence);
   // Returns 1 if the last coded link stays within its slice, otherwise 0. Links are numbered in the
   // order of z: 5 lead down, 8 are level, 5 lead up. The second half is opposite to the first.
@@ -199,8 +207,8 @@ class RecordModel {
                           : turn_between(directions(), direction_, direction);
   }
   Direction turn_by(uint32_t turn);
-  Direction turn_from(uint32_t place, Direction direction) {
-    return turn_by(of_direction(place, turn_to(direction)));
+  Direction turn_from(uint32_t context, Direction direction) {
+    return turn_by(direction_symbol(context, turn_to(direction)));
   }
 
   // Chains coded in their own order, chains coded backwards, and rings up to the last run.
@@ -209,7 +217,7 @@ class RecordModel {
   Coder coder_;
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;
-  uint16_t class_rows_ = 0;
+  uint16_t class_contexts_ = 0;
   // Whether this packet has had loose fragments, which makes more of them likely: 0 no, 1 before
   // the last record, 2 including it.
   uint8_t fragments_ = 0;
@@ -225,12 +233,12 @@ class RecordModel {
 // ---- implementation ----
 
 template <class Coder>
-uint32_t RecordModel<Coder>::even(uint32_t bits, uint32_t value) {
+uint32_t RecordModel<Coder>::raw_bits(uint32_t bits, uint32_t value) {
   uint32_t coded = 0;
   while (bits > 0) {
     const uint32_t taken = bits < 8 ? bits : 8;
     bits -= taken;
-    coded = coded << taken | coder_.even(taken, value >> bits);
+    coded = coded << taken | coder_.raw_bits(taken, value >> bits);
   }
   if constexpr (Coder::writes) return value;
   return coded;
@@ -238,22 +246,22 @@ uint32_t RecordModel<Coder>::even(uint32_t bits, uint32_t value) {
 
 // Codes a positive number: 1, 2, 3, or the number of bits below its highest one, and these bits.
 template <class Coder>
-uint32_t RecordModel<Coder>::number(uint32_t row, uint32_t value) {
-  constexpr uint32_t last = rows::of_number - 1;
+uint32_t RecordModel<Coder>::number(uint32_t context, uint32_t value) {
+  constexpr uint32_t last = contexts::of_number - 1;
   uint32_t bits = 0;
   while (value >> bits > 3) ++bits;
   uint32_t size = bits == 0 ? value - 1 : bits + 2;
-  size = symbol(row, size < last ? size : last);
+  size = symbol(context, size < last ? size : last);
   if (size < 3) return size + 1;
-  bits = size == last ? even(5, bits) : size - 2;
-  return uint32_t{2} << bits | even(bits + 1, value);
+  bits = size == last ? raw_bits(5, bits) : size - 2;
+  return uint32_t{2} << bits | raw_bits(bits + 1, value);
 }
 
 // Records are all regions with ample memory; with little memory many are fragments.
 template <class Coder>
 RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
   kind = static_cast<RecordKind>(
-      symbol(rows::kinds + rows::of_kinds * fragments_, static_cast<uint32_t>(kind)));
+      symbol(contexts::kinds + contexts::of_kinds * fragments_, static_cast<uint32_t>(kind)));
   chain_ = kind < RecordKind::forwards     ? ring
            : kind == RecordKind::backwards ? backwards
                                            : forwards;
@@ -269,42 +277,43 @@ RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
 // next row.
 template <class Coder>
 Vertex RecordModel<Coder>::start(const Vertex& start) {
-  using namespace place;
+  using namespace start_position;
   int32_t x = voxels_between(start.x, start_.x);
   int32_t y = voxels_between(start.y, start_.y);
   int32_t z = voxels_between(start.z, start_.z);
-  uint32_t place = elsewhere;
+  uint32_t position = elsewhere;
   if (z == 0 && y == 0)
-    place = x < 0 ? behind : static_cast<uint32_t>(x) < ahead ? static_cast<uint32_t>(x) : ahead;
+    position = x < 0 ? behind : static_cast<uint32_t>(x) < ahead ? static_cast<uint32_t>(x) : ahead;
   else if (z == 0 && y == 1)
-    place = next_row;
+    position = next_row;
   else if (z == 0 && y == -1)
-    place = row_before;
-  place = symbol(rows::places, place);
+    position = row_before;
+  position = symbol(contexts::start_positions, position);
   if constexpr (!Coder::writes) {
-    x = static_cast<int32_t>(place);
-    y = place == next_row ? 1 : place == row_before ? -1 : 0;
+    x = static_cast<int32_t>(position);
+    y = position == next_row ? 1 : position == row_before ? -1 : 0;
     z = 0;
   }
-  if (place >= ahead) {
-    if (place == elsewhere) {
-      z = signed_of(number(rows::steps_z, positive_of(z)));
-      y = signed_of(number(rows::steps_y, positive_of(y)));
+  if (position >= ahead) {
+    if (position == elsewhere) {
+      z = signed_of(number(contexts::steps_z, positive_of(z)));
+      y = signed_of(number(contexts::steps_y, positive_of(y)));
     }
-    // The sign along the row follows from the place.
-    const uint32_t coded = number(rows::steps_x + rows::of_number * (place - ahead),
-                                  place == ahead    ? static_cast<uint32_t>(x) - ahead + 1
-                                  : place == behind ? 0 - static_cast<uint32_t>(x)
-                                                    : positive_of(x));
+    // The sign along the row follows from the position.
+    const uint32_t coded = number(contexts::steps_x + contexts::of_number * (position - ahead),
+                                  position == ahead    ? static_cast<uint32_t>(x) - ahead + 1
+                                  : position == behind ? 0 - static_cast<uint32_t>(x)
+                                                       : positive_of(x));
     if constexpr (!Coder::writes)
-      x = place == ahead    ? static_cast<int32_t>(coded + ahead - 1)
-          : place == behind ? static_cast<int32_t>(0 - coded)
-                            : signed_of(coded);
+      x = position == ahead    ? static_cast<int32_t>(coded + ahead - 1)
+          : position == behind ? static_cast<int32_t>(0 - coded)
+                               : signed_of(coded);
   }
-  const uint32_t axis = symbol(rows::axes + (place == 0 ? 0 : 16) + 4U * axis_, axis_of(start));
+  const uint32_t axis =
+      symbol(contexts::axes + (position == 0 ? 0 : 16) + 4U * axis_, axis_of(start));
   axis_before_ = axis_;
   axis_ = static_cast<uint8_t>(axis);
-  is_same_voxel_ = place == 0;
+  is_same_voxel_ = position == 0;
   if constexpr (Coder::writes) return start_ = start;
   const uint32_t odd = axis == 3 ? 7 : 1U << axis;
   start_ = {voxels_beyond(start_.x, x, odd & 1), voxels_beyond(start_.y, y, odd >> 1 & 1),
@@ -317,20 +326,20 @@ Vertex RecordModel<Coder>::start(const Vertex& start) {
 // sign mirrors them.
 template <class Coder>
 Incidence RecordModel<Coder>::incidence(Incidence incidence) {
-  using rows::other_heading;
+  using contexts::other_heading;
   uint32_t code = other_heading;
   if (axis_ < 3) {
     const IncidenceOnAxis to = on_axis(incidence, axis_);
     uint32_t sign = 1;
     if (is_same_voxel_ && axis_before_ < 3) sign = on_axis(incidence_, axis_before_).along;
-    if (sign == 1) sign = 2 * even(1, to.along >> 1);
+    if (sign == 1) sign = 2 * raw_bits(1, to.along >> 1);
     const auto seen = [sign](uint32_t heading) { return sign == 0 ? 8 - heading : heading; };
     const uint32_t by = seen(on_axis(incidence_, axis_).heading);
-    code = symbol(rows::headings + rows::of_headings * by,
+    code = symbol(contexts::headings + contexts::of_headings * by,
                   to.along == sign ? seen(to.heading) : other_heading);
     if constexpr (!Coder::writes) incidence = incidence_of({sign, seen(code)}, axis_);
   }
-  if (code == other_heading) incidence = static_cast<Incidence>(even(5, incidence));
+  if (code == other_heading) incidence = static_cast<Incidence>(raw_bits(5, incidence));
   set_incidence(incidence);
   return incidence;
 }
@@ -341,15 +350,15 @@ void RecordModel<Coder>::set_incidence(Incidence incidence) {
     if (!is_incidence(incidence)) return;
   incidence_ = incidence;
   link_class_ = static_cast<uint8_t>(class_of(incidence));
-  class_rows_ = static_cast<uint16_t>(link_class_ == 0   ? rows::of_class(0)
-                                      : link_class_ == 1 ? rows::of_class(1)
-                                                         : rows::of_class(2));
+  class_contexts_ = static_cast<uint16_t>(link_class_ == 0   ? contexts::of_class(0)
+                                          : link_class_ == 1 ? contexts::of_class(1)
+                                                             : contexts::of_class(2));
 }
 
 template <class Coder>
 uint32_t RecordModel<Coder>::ring_direction(uint32_t from) {
-  const uint32_t coded = of_class(rows::ring_direction, from < 3 ? from : 3);
-  return coded < 3 ? coded : even(3, from);
+  const uint32_t coded = class_symbol(contexts::ring_direction, from < 3 ? from : 3);
+  return coded < 3 ? coded : raw_bits(3, from);
 }
 
 template <class Coder>
@@ -363,19 +372,19 @@ Direction RecordModel<Coder>::turn_by(uint32_t turn) {
 template <class Coder>
 Run RecordModel<Coder>::run(Run run) {
   const uint32_t parity = link_class_ == 2 ? direction_ & 1 : 0;
-  const uint32_t code = of_direction(rows::turn + 2 * parity,
-                                     2 * turn_to(run.direction()) + (run.length() > 1 ? 1U : 0U));
+  const uint32_t code = direction_symbol(
+      contexts::turn + 2 * parity, 2 * turn_to(run.direction()) + (run.length() > 1 ? 1U : 0U));
   const Direction direction = turn_by(code >> 1);
   if (code % 2 == 0) return Run::straight(direction, 1);
-  const uint32_t more = length(rows::longer, direction, run.length() - 1);
+  const uint32_t more = length(contexts::longer, direction, run.length() - 1);
   return more < Run::max_length ? Run::straight(direction, 1 + more) : Run();
 }
 
 template <class Coder>
 bool RecordModel<Coder>::part(Record& record, bool begins_ring) {
-  const uint32_t flags = even(4, (record.is_fragment ? 8U : 0U) | (record.continues ? 4U : 0U) |
-                                     (record.is_last ? 2U : 0U) | (begins_ring ? 1U : 0U));
-  record.incidence = static_cast<Incidence>(even(5, record.incidence));
+  const uint32_t flags = raw_bits(4, (record.is_fragment ? 8U : 0U) | (record.continues ? 4U : 0U) |
+                                         (record.is_last ? 2U : 0U) | (begins_ring ? 1U : 0U));
+  record.incidence = static_cast<Incidence>(raw_bits(5, record.incidence));
   if constexpr (!Coder::writes) {
     record.is_fragment = (flags & 8) != 0;
     record.continues = (flags & 4) != 0;

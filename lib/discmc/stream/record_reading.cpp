@@ -22,11 +22,11 @@ Direction read_ring_direction(ReadingModel& model, Incidence incidence) {
 }
 
 // Reads runs up to the last one, after the direction of the first.
-bool read_runs(ReadingModel& model, Record& record, Direction first, uint32_t most) {
-  const uint32_t length = model.length(rows::lengths, first, 1);
-  Run run = length <= most ? Run::straight(first, length) : Run();
+bool read_runs(ReadingModel& model, Record& record, Direction first, uint32_t max_length) {
+  const uint32_t length = model.length(contexts::lengths, first, 1);
+  Run run = length <= max_length ? Run::straight(first, length) : Run();
   for (;;) {
-    if (!record.has_room(1) || run.length() - 1 >= most) return false;
+    if (!record.has_room(1) || run.length() - 1 >= max_length) return false;
     record.add_run(run);
     if (model.is_last_run(false)) return true;
     run = model.run(run);
@@ -61,13 +61,13 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   }
   uint32_t lengths[2];
   if (coded == 1) {
-    lengths[0] = model.length(rows::lengths, direction[0], 1);
+    lengths[0] = model.length(contexts::lengths, direction[0], 1);
   } else {
     const uint32_t two = model.two_lengths(0);
     lengths[0] = 1 + two / 4;
     lengths[1] = 1 + two % 4;
     for (uint32_t i = 0; i < 2; ++i)
-      if (lengths[i] == 4) lengths[i] = 3 + model.length(rows::longer, direction[i], 1);
+      if (lengths[i] == 4) lengths[i] = 3 + model.length(contexts::longer, direction[i], 1);
   }
   const uint32_t begin = record.count;
   for (uint32_t i = 0; i < coded; ++i) {

@@ -82,7 +82,7 @@ void encode_runs(Model& model, const uint32_t* run, uint32_t count) {
     const Run next = Run::from_code(*run);
     run += model.is_backwards() ? -1 : 1;
     if (i == 0)
-      model.length(rows::lengths, next.direction(), next.length());
+      model.length(contexts::lengths, next.direction(), next.length());
     else
       model.run(next);
     model.is_last_run(i + 1 == count);
@@ -100,7 +100,7 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
   if (corners == 0) {
     encode_runs(model, runs, count - 1);  // the last run leads back to the start
   } else if (count == 3) {
-    model.length(rows::lengths, first, length_in(runs[0]));
+    model.length(contexts::lengths, first, length_in(runs[0]));
   } else {
     uint32_t lengths = 0;
     for (uint32_t i = 0; i < 2; ++i)
@@ -108,7 +108,7 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
     model.two_lengths(lengths);
     for (uint32_t i = 0; i < 2; ++i)
       if (length_in(runs[i]) > 3)
-        model.length(rows::longer, direction_in(runs[i]), length_in(runs[i]) - 3);
+        model.length(contexts::longer, direction_in(runs[i]), length_in(runs[i]) - 3);
   }
 }
 
@@ -174,7 +174,7 @@ void encode_part(Model& model, Record& record, uint32_t words) {
   const bool begins_ring = words > 0 && record.word[0] == Record::ring_mark;
   const uint32_t first = begins_ring ? Record::ring_words : 0;
   if (words == first) {  // A part without a run is invalid: decoders reject this one.
-    model.even(4, 15);
+    model.raw_bits(4, 15);
     return;
   }
   model.part(record, begins_ring);

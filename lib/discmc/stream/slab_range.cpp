@@ -4,9 +4,9 @@
 namespace discmc {
 
 ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes) {
-  uint8_t* place = detail::wire::put(bytes, range.first, 4);
-  place = detail::wire::put(place, range.slices, 4);
-  detail::wire::put(place, range.depth, 4);
+  uint8_t* end = detail::wire::put(bytes, range.first, 4);
+  end = detail::wire::put(end, range.slices, 4);
+  detail::wire::put(end, range.depth, 4);
   return {SlabRange::record_kind, 0, 0, bytes, SlabRange::record_bytes};
 }
 

@@ -11,18 +11,19 @@ struct SymbolWriter {
   static constexpr bool writes = true;
   RangeEncoder range;
 
-  uint32_t symbol(uint32_t row, uint32_t symbol) {
-    encode(row + symbol);
+  uint32_t symbol(uint32_t context, uint32_t symbol) {
+    encode(context + symbol);
     return symbol;
   }
-  uint32_t even(uint32_t bits, uint32_t value) {
-    range.encode_even(bits, value);
+  uint32_t raw_bits(uint32_t bits, uint32_t value) {
+    range.encode_raw_bits(bits, value);
     return value;
   }
 
  private:
-  void encode(uint32_t place) {
-    range.encode_share(shares[place], static_cast<uint8_t>(shares[place + 1] - shares[place]));
+  void encode(uint32_t index) {
+    const uint8_t* const below = cumulative_frequencies + index;
+    range.encode_symbol(below[0], static_cast<uint8_t>(below[1] - below[0]));
   }
 };
 
@@ -30,8 +31,10 @@ struct SymbolReader {
   static constexpr bool writes = false;
   RangeDecoder range;
 
-  uint32_t symbol(uint32_t row, uint32_t) { return range.decode_share(shares + row); }
-  uint32_t even(uint32_t bits, uint32_t) { return range.decode_even(bits); }
+  uint32_t symbol(uint32_t context, uint32_t) {
+    return range.decode_symbol(cumulative_frequencies + context);
+  }
+  uint32_t raw_bits(uint32_t bits, uint32_t) { return range.decode_raw_bits(bits); }
 };
 
 }  // namespace discmc::detail::stream

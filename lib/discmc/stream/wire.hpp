@@ -91,14 +91,14 @@ constexpr uint32_t header_interval = 64;
 constexpr uint32_t magic = 'D' | 'M' << 8 | 'C' << 16;
 
 /// Writes a little-endian field. Returns the position after it. Limit: the buffer has room.
-inline uint8_t* put(uint8_t* place, uint32_t value, int bytes) {
-  for (; bytes > 0; --bytes, value >>= 8) *place++ = static_cast<uint8_t>(value);
-  return place;
+inline uint8_t* put(uint8_t* target, uint32_t value, int bytes) {
+  for (; bytes > 0; --bytes, value >>= 8) *target++ = static_cast<uint8_t>(value);
+  return target;
 }
 
-inline uint8_t* put_long(uint8_t* place, uint64_t value) {
-  place = put(place, static_cast<uint32_t>(value), 4);
-  return put(place, static_cast<uint32_t>(value >> 32), 4);
+inline uint8_t* put_long(uint8_t* target, uint64_t value) {
+  target = put(target, static_cast<uint32_t>(value), 4);
+  return put(target, static_cast<uint32_t>(value >> 32), 4);
 }
 
 /// Reads little-endian fields; after the end, zeros.

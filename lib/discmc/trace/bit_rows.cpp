@@ -34,7 +34,7 @@ void BitRows::start(Arena& arena, const Limits& limits, uint32_t rows) {
 void BitRows::clear() {
   uint32_t* const off = row_off();
   for (uint32_t i = 0; i < words_; ++i) off[i] = 0;
-  place_ = 0;
+  row_index_ = 0;
   column_ = 0;
   rows_ = 0;
   slices_ = 0;
@@ -42,12 +42,12 @@ void BitRows::clear() {
 
 // Returns the row that arrived `back` rows ago; the arriving row for 0.
 uint32_t* BitRows::row_before(uint32_t back) const {
-  const uint32_t place = place_ >= back ? place_ - back : place_ + ring_rows_ - back;
-  return ring_ + size_t{place} * words_;
+  const uint32_t index = row_index_ >= back ? row_index_ - back : row_index_ + ring_rows_ - back;
+  return ring_ + size_t{index} * words_;
 }
 
-// The place of an arriving row holds the oldest row, until the sweep no longer needs it. Therefore
-// the first sample clears the place, not an earlier call.
+// Until the sweep no longer needs the oldest row, its bits are at the index of the arriving row.
+// Therefore the first sample clears these bits, not an earlier call.
 uint32_t* BitRows::arriving() {
   uint32_t* const words = row_before(0);
   const uint32_t* const end = words + words_;
@@ -153,7 +153,7 @@ void BitRows::fill_off() {
 }
 
 void BitRows::next_row() {
-  if (++place_ == ring_rows_) place_ = 0;
+  if (++row_index_ == ring_rows_) row_index_ = 0;
   ++rows_;
   column_ = 0;
 }

@@ -122,7 +122,7 @@ class BitRows {
   uint32_t ring_rows_ = 0;
   uint32_t width_ = 0;
   uint32_t height_ = 0;
-  uint32_t place_ = 0;  // of the arriving row in the ring
+  uint32_t row_index_ = 0;  // of the arriving row in the ring
   uint32_t column_ = 0;
   uint32_t rows_ = 0;
   uint32_t slices_ = 0;

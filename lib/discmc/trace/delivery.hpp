@@ -69,7 +69,7 @@ class Delivery {
   uint32_t max_holes_ = 0;
   uint32_t holes_due_ = 0;  // marked holes to deliver: of the region, or before a loose fragment
   Event event_{};           // next event; its start is the chain's
-  Index last_ = no_slot;    // of the chain's run list
+  Index runs_ = no_slot;    // the list of the chain
   Cursor first_;
   Cursor cursor_;  // behind the run of event_
   Holes<Index, Normal> holes_;
@@ -108,7 +108,7 @@ template <class Index, class Normal, bool holes_wait>
 void Delivery<Index, Normal, holes_wait>::begin(Chains& chains) {
   Slots& slots = chains.slots();
   Out& out = chains.outgoing();
-  last_ = out.last;
+  runs_ = out.runs;
   event_.incidence = out.incidence;
   event_.start = out.start;
   if (out.kind == Out::Kind::fragment) {
@@ -118,8 +118,8 @@ void Delivery<Index, Normal, holes_wait>::begin(Chains& chains) {
   begin_ring(slots);
   constexpr uint32_t min_spare = minimum_capacities().slots + Holes<Index, Normal>::slots_each;
   if (holes_wait && event_.is_hole && holes_.count() < max_holes_ &&
-      // Untested branch: fragments leave early before so few slots remain. The hole would leave as
-      // a fragment.
+      // With fewer spare slots the hole leaves as a fragment. No known scan reaches this, because
+      // fragments leave early before so few slots remain.
       chains.spare() >= min_spare) {
     holes_.keep(slots, out);
     out.kind = Out::Kind::none;
@@ -143,8 +143,8 @@ void Delivery<Index, Normal, holes_wait>::begin_ring(const Slots& slots) {
   const Incidence incidence = event_.incidence;
   constexpr Vertex here{0, 0, 0};
   Vertex way = here;  // from the last vertex so far
-  Direction before = direction_of(Lists::last_run(slots, last_));
-  const Cursor end(slots, last_);
+  Direction before = direction_of(Lists::last_run(slots, runs_));
+  const Cursor end(slots, runs_);
   Cursor cursor = end;
   do {
     const ShortRun run = cursor.run(slots);
@@ -168,7 +168,7 @@ template <class Index, class Normal, bool holes_wait>
 bool Delivery<Index, Normal, holes_wait>::begin_hole(Chains& chains) {
   if (!holes_wait || holes_due_ == 0) return false;
   --holes_due_;
-  holes_.remove(chains.slots(), last_, event_.start);
+  holes_.remove(chains.slots(), runs_, event_.start);
   begin_ring(chains.slots());
   return true;
 }
@@ -185,10 +185,10 @@ void Delivery<Index, Normal, holes_wait>::begin_next_loose(Chains& chains) {
   is_delivering_ = out.kind == Out::Kind::fragment;
   out.kind = Out::Kind::none;
   if (!is_delivering_) return;
-  last_ = out.last;
+  runs_ = out.runs;
   event_.incoming_direction = out.incoming;
   event_.start = out.start;
-  first_ = Cursor(chains.slots(), last_);
+  first_ = Cursor(chains.slots(), runs_);
 }
 
 // Merges successive runs of one direction.
@@ -219,7 +219,7 @@ DISCMC_NOINLINE void Delivery<Index, Normal, holes_wait>::select_next(Chains& ch
     case Event::Kind::run:
       statistics.links += event_.run.length();
       if (cursor_ != first_) return next_run(slots);
-      RunLists<Index, Normal>::release(slots, last_);
+      RunLists<Index, Normal>::release(slots, runs_);
       if (is_fragment_) {
         event_.kind = Event::Kind::fragment_end;
         break;

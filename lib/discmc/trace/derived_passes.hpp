@@ -38,8 +38,8 @@ class DerivedPasses {
   PassList passes_{};
   uint32_t next_ = 0;
   Vertex vertex_{};
-  uint32_t word_ = 0;         // word after the one of crossings_
-  Crossings crossings_ = {};  // edges not yet visited
+  uint32_t word_ = 0;             // word after the one of crossings_
+  CrossingEdges crossings_ = {};  // edges not yet visited
 };
 
 template <bool is_lean>

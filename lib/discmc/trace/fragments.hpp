@@ -86,7 +86,7 @@ struct Outgoing {
   Kind kind = Kind::none;
   Incidence incidence = 0;
   Direction incoming = 0;  // of a fragment
-  Index last = no_slot;
+  Index runs = no_slot;    // their list
   Vertex start{0, 0, 0};
 };
 
@@ -131,8 +131,8 @@ class Fragments {
   /// Returns the vertex that a chain reaches next.
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
     Vertex next = vertex;
-    if (pass.has_centroid()) follow(next, pass.first);
-    follow(next, pass.second);
+    if (pass.has_centroid()) follow(next, pass.outgoing);
+    follow(next, pass.after_centroid);
     return next;
   }
 
@@ -152,11 +152,11 @@ class Fragments {
   /// Returns the outgoing chain. After delivery, the caller sets its kind to none.
   Outgoing<Index>& outgoing() { return outgoing_; }
   /// Makes runs outgoing that begin at `start`.
-  void set_outgoing(typename Outgoing<Index>::Kind kind, Incidence incidence, Index last,
+  void set_outgoing(typename Outgoing<Index>::Kind kind, Incidence incidence, Index runs,
                     const Vertex& start) {
     outgoing_.kind = kind;
     outgoing_.incidence = incidence;
-    outgoing_.last = last;
+    outgoing_.runs = runs;
     outgoing_.start = start;
   }
   Slots& slots() { return slots_; }
@@ -175,7 +175,7 @@ class Fragments {
   // Returns the beginning of the side along which a chain leaves.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
     Vertex corner = vertex;
-    if (pass.turns_at_centroid()) translate(corner, pass.first, 1);
+    if (pass.turns_at_centroid()) translate(corner, pass.outgoing, 1);
     return corner;
   }
 
@@ -194,7 +194,7 @@ class Fragments {
   // Returns the runs of the fragment with this begin.
   Index& runs_of(Index begin) {
     EndSlot& slot = end(begin);
-    return is_loose(slot.mate) ? slot.last : end(slot.mate).last;
+    return is_loose(slot.mate) ? slot.runs : end(slot.mate).runs;
   }
   void turn(Index tail, Link incoming, Place corner, Direction onwards, Normal normal);
   void turn_back(Index begin, Link onwards, Place corner, Direction incoming, Normal normal);
@@ -231,34 +231,34 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::process(const Pass& pass, const V
                                                        const Intake& intake) {
   DISCMC_LIMIT(!has_outgoing());
   const Place here = place_of(vertex);
-  const Index begin = pass.goes_ahead() ? Index{no_slot} : pop(pass.out);
+  const Index begin = pass.goes_ahead() ? Index{no_slot} : pop(pass.out_queue);
   Index tail;
   bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
     if (begin != no_slot) return lengthen_begin(pass, vertex, begin, intake);
     tail = begin_fragment(pass, vertex, intake);
   } else {
-    tail = pop(pass.in);
+    tail = pop(pass.in_queue);
     if (tail == no_slot) {
       // The end of the incoming link was lost.
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.incoming)), intake);
     } else if (pass.turns() || is_full_side(end(tail).side.place(), here)) {
-      turn(tail, pass.incoming, here, direction(pass, pass.first),
+      turn(tail, pass.incoming, here, direction(pass, pass.outgoing),
            normal_where(pass.turns(), vertex, intake));
       has_new_runs = true;
     }
   }
   if (pass.turns_at_centroid())
-    turn(tail, pass.first, moved(here, pass.first), direction(pass, pass.second),
+    turn(tail, pass.outgoing, moved(here, pass.outgoing), direction(pass, pass.after_centroid),
          intake.normal_at(last_corner(pass, vertex)));
   if (begin != no_slot) return join(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
-    if (admits(pass.out, end(tail).mate)) {
-      push(pass.out, tail);
+    if (admits(pass.out_queue, end(tail).mate)) {
+      push(pass.out_queue, tail);
       if (has_new_runs) send_if_long(pass, vertex, tail, true);
       return;
     }
-    push_lost(pass.out);
+    push_lost(pass.out_queue);
   }
   cut_tail(pass, vertex, tail);
 }
@@ -273,8 +273,8 @@ DISCMC_NOINLINE Index Fragments<Index, Normal>::new_tail(const Pass& pass, const
   const Index tail = slots_.allocate();
   EndSlot& slot = end(tail);
   slot.mate = mate;
-  slot.last = no_slot;
-  slot.side = Side(direction(pass, pass.first), place_of(vertex));
+  slot.runs = no_slot;
+  slot.side = Side(direction(pass, pass.outgoing), place_of(vertex));
   slot.set_normal(normal_where(pass.turns(), vertex, intake));
   return tail;
 }
@@ -286,13 +286,13 @@ DISCMC_ALWAYS_INLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& 
                                                                     const Intake& intake) {
   const Direction incoming = direction(pass, pass.incoming);
   Index mate = loose_end<Index>(incoming);
-  if (admits(pass.in, pass.goes_ahead() ? Index{no_slot} : mate)) {
+  if (admits(pass.in_queue, pass.goes_ahead() ? Index{no_slot} : mate)) {
     mate = slots_.allocate();
-    push(pass.in, mate);
-    end(mate).last = no_slot;
+    push(pass.in_queue, mate);
+    end(mate).runs = no_slot;
     end(mate).side = Side(incoming, place_of(vertex));
   } else {
-    push_lost(pass.in);
+    push_lost(pass.in_queue);
   }
   const Index tail = new_tail(pass, vertex, mate, intake);
   if (!is_loose(mate)) end(mate).mate = tail;
@@ -307,22 +307,22 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& p
                                                                    Index begin,
                                                                    const Intake& intake) {
   const Place here = place_of(vertex);
-  const bool may_wait = admits(pass.in, end(begin).mate);
+  const bool may_wait = admits(pass.in_queue, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();
   if (has_new_runs) {
-    turn_back(begin, pass.second, moved(here, pass.first), direction(pass, pass.first),
-              intake.normal_at(last_corner(pass, vertex)));
+    turn_back(begin, pass.after_centroid, moved(here, pass.outgoing),
+              direction(pass, pass.outgoing), intake.normal_at(last_corner(pass, vertex)));
   }
   if (pass.turns() || !may_wait || is_full_side(here, end(begin).side.place())) {
-    turn_back(begin, pass.first, here, direction(pass, pass.incoming),
+    turn_back(begin, pass.outgoing, here, direction(pass, pass.incoming),
               normal_where(pass.turns(), vertex, intake));
     has_new_runs = true;
   }
   if (!may_wait) {
-    push_lost(pass.in);
+    push_lost(pass.in_queue);
     return cut_begin(pass, begin, pass.incoming, vertex);
   }
-  push(pass.in, begin);
+  push(pass.in_queue, begin);
   if (has_new_runs) send_if_long(pass, vertex, begin, false);
 }
 
@@ -352,7 +352,7 @@ void Fragments<Index, Normal>::turn(Index tail, Link incoming, Place corner, Dir
   run.set_normal(slot.normal());
   slot.side = Side(onwards, corner);
   slot.set_normal(normal);
-  Lists::append(slots_, slot.last, run);
+  Lists::append(slots_, slot.runs, run);
 }
 
 // Begins the current side of a begin at a corner, and ends the previous side.
@@ -375,7 +375,7 @@ template <class Index, class Normal>
 DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::cut_tail(const Pass& pass, const Vertex& vertex,
                                                              Index tail) {
   Vertex next = next_vertex(pass, vertex);
-  end_tail(pass, tail, pass.second, next);
+  end_tail(pass, tail, pass.after_centroid, next);
 }
 
 // Ends the fragment loose at a vertex. along: its last link. If its runs are sent, `at` becomes the
@@ -384,7 +384,7 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along, Vertex& at) {
   turn(tail, along, place_of(at), {}, {});
   const Index begin = end(tail).mate;
-  const Index list = end(tail).last;
+  const Index list = end(tail).runs;
   slots_.release(tail);
   if (!is_loose(begin) && !should_send(list)) return connect(begin, loose_end<Index>(), list);
   move_to_begin(at, pass.incidence, list);
@@ -402,15 +402,15 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::join(const Pass& pass, const
   const bool is_closed = first_end == begin;
   Index& runs_after = runs_of(begin);  // for a ring, also the list of `before`
   Entry run;
-  run.run =
-      short_run(after.direction(), links_between(before.side.place(), after.place(), pass.second));
+  run.run = short_run(after.direction(),
+                      links_between(before.side.place(), after.place(), pass.after_centroid));
   run.set_normal(before.normal());
-  const bool is_prepended = before.last == no_slot && runs_after != no_slot;
+  const bool is_prepended = before.runs == no_slot && runs_after != no_slot;
   if (is_prepended)
     Lists::prepend(slots_, runs_after, run);
   else
-    Lists::append(slots_, before.last, run);
-  const Index list = before.last;
+    Lists::append(slots_, before.runs, run);
+  const Index list = before.runs;
   const Index list_after = runs_after;
   slots_.release(tail);
   slots_.release(begin);
@@ -418,13 +418,14 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::join(const Pass& pass, const
   if (!is_closed && !is_loose_piece && !should_send(list, list_after))
     return connect(first_end, last_end, Lists::concatenate(slots_, list, list_after));
   Vertex corner = last_corner(pass, vertex);
-  translate(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
+  translate(corner, pass.after_centroid,
+            links_between(place_of(corner), after.place(), pass.after_centroid));
   if (is_closed) {
     set_outgoing(Outgoing<Index>::Kind::ring, pass.incidence, list, corner);
     return;
   }
   if (is_prepended)
-    translate(corner, pass.second, 0 - length_of(run.run));
+    translate(corner, pass.after_centroid, 0 - length_of(run.run));
   else
     move_to_begin(corner, pass.incidence, list);
   send(pass, first_end, last_end, Lists::concatenate(slots_, list, list_after), corner);
@@ -434,11 +435,11 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
   if (!is_loose(begin)) {
     end(begin).mate = tail;
-    end(begin).last = list;
+    end(begin).runs = list;
   }
   if (!is_loose(tail)) {
     end(tail).mate = begin;
-    end(tail).last = list;
+    end(tail).runs = list;
   }
 }
 
@@ -451,8 +452,8 @@ template <class Index, class Normal>
 void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bool ends) {
   DISCMC_LIMIT(!has_outgoing());
   Vertex at = ends ? vertex : next_vertex(pass, vertex);
-  const Link along = ends ? pass.incoming : pass.second;
-  const uint8_t queue = ends ? pass.in : pass.out;
+  const Link along = ends ? pass.incoming : pass.after_centroid;
+  const uint8_t queue = ends ? pass.in_queue : pass.out_queue;
   if (queue < first_rising_queue) return;
   const Index index = pop(queue);
   if (index == no_slot) return;
@@ -493,11 +494,11 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::send_if_long(const Pass& pas
                                                                  const Vertex& vertex, Index index,
                                                                  bool is_tail) {
   const EndSlot& slot = end(index);
-  const Index list = is_tail ? slot.last : runs_of(index);
+  const Index list = is_tail ? slot.runs : runs_of(index);
   if (!should_send(list)) return;
   // Finds the corner: the vertex, or the centroid behind it.
   Vertex start = vertex;
-  if (slot.side.place() != place_of(vertex)) follow(start, pass.first);
+  if (slot.side.place() != place_of(vertex)) follow(start, pass.outgoing);
   if (!is_tail) return send(pass, index, slot.mate, list, start);
   move_to_begin(start, pass.incidence, list);
   send(pass, slot.mate, index, list, start);

@@ -98,7 +98,7 @@ class GradientIntake {
                 "32 bits count the samples of a ring");
 
   void end_row(uint32_t given) {
-    given_[samples_.place_before(0)] = static_cast<uint16_t>(given);
+    given_[samples_.index_before(0)] = static_cast<uint16_t>(given);
     samples_.next_row();
     ++waiting_;
   }
@@ -109,7 +109,7 @@ class GradientIntake {
   }
   // Thresholds the oldest row.
   RowOrigin pass_on(detail::trace::BitRows& rows, int32_t threshold) {
-    const uint16_t given = given_[samples_.place_before(waiting_)];
+    const uint16_t given = given_[samples_.index_before(waiting_)];
     const RowOrigin row = given == skipped_repeated ? RowOrigin::repeated
                           : given == skipped_off    ? RowOrigin::skipped
                                                     : RowOrigin::samples;

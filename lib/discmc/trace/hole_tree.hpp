@@ -1,5 +1,5 @@
-// Keeps waiting holes sorted by place, for the many holes that 32-bit indices can count. The holes
-// and their order equal those of the lists (holes.hpp).
+// Keeps waiting holes sorted by position, for the many holes that 32-bit indices can count. The
+// holes and their order equal those of the lists (holes.hpp).
 #ifndef DISCMC_TRACE_HOLE_TREE_HPP
 #define DISCMC_TRACE_HOLE_TREE_HPP
 
@@ -28,9 +28,9 @@ class Holes<uint32_t, Normal> {
     const uint32_t start = slots.allocate();
     Hole<uint32_t>& hole = slots[index].hole;
     hole.number = number_++;
-    hole.last = ring.last;
+    hole.runs = ring.runs;
     hole.start = start;
-    hole.set(ring.incidence, direction_of(Cursor(slots, ring.last).run(slots)));
+    hole.set(ring.incidence, direction_of(Cursor(slots, ring.runs).run(slots)));
     slots[start].hole_start.set(ring.start);
     waiting_.insert(Nodes{slots}, index);
     if (++count_ > peak_) peak_ = count_;
@@ -56,11 +56,11 @@ class Holes<uint32_t, Normal> {
 
   /// Removes one of the last marked holes, the newest first. Returns its runs and their start.
   /// Limit: there is one.
-  void remove(Slots& slots, uint32_t& last, Vertex& start) {
+  void remove(Slots& slots, uint32_t& runs, Vertex& start) {
     const uint32_t index = marked_.first(Newest{{slots}}, [](uint32_t) { return true; });
     marked_.remove(Newest{{slots}}, index);
     const Hole<uint32_t>& hole = slots[index].hole;
-    last = hole.last;
+    runs = hole.runs;
     start = slots[hole.start].hole_start.get();
     slots.release(hole.start);
     slots.release(index);
@@ -106,7 +106,7 @@ class Holes<uint32_t, Normal> {
   template <class Visit>
   static void for_each_side(const Slots& slots, const Ring& ring, Visit visit) {
     Vertex at = ring.start;
-    const Cursor begin(slots, ring.last);
+    const Cursor begin(slots, ring.runs);
     Cursor cursor = begin;
     do {
       const Run run = long_run(cursor.run(slots));

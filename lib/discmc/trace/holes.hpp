@@ -45,7 +45,7 @@ class Holes {
   uint32_t mark(Slots& slots, const Outgoing<Index>& by);
 
   /// Removes one of the last marked holes. Returns its runs and their start. Limit: there is one.
-  void remove(Slots& slots, Index& last, Vertex& start);
+  void remove(Slots& slots, Index& runs, Vertex& start);
 
   /// Finds a plane that has holes. Limit: count() > 0.
   void any_plane(const Slots& slots, Incidence& incidence, Vertex& at) const;
@@ -92,7 +92,7 @@ void Holes<Index, Normal>::keep(Slots& slots, const Outgoing<Index>& ring) {
   Index& head = heads_[list_of(ring.incidence, plane_offset(ring.incidence, ring.start))];
   Hole<Index>& hole = slots[index].hole;
   hole.next = head;
-  hole.last = ring.last;
+  hole.runs = ring.runs;
   hole.start = start;
   hole.incidence = ring.incidence;
   hole.is_marked = 0;
@@ -121,7 +121,7 @@ uint32_t Holes<Index, Normal>::mark(Slots& slots, const Outgoing<Index>& by) {
     if (!lies_on(slots, i, by.incidence, plane)) continue;
     Hole<Index>& hole = slots[i].hole;
     const Vertex start = slots[hole.start].hole_start.get();
-    const Direction first = direction_of(Cursor(slots, hole.last).run(slots));
+    const Direction first = direction_of(Cursor(slots, hole.runs).run(slots));
     if (is_ring && !(extent.contains(start) && surrounds(slots, by, start, first))) continue;
     hole.is_marked = 1;
     ++marked;
@@ -130,13 +130,13 @@ uint32_t Holes<Index, Normal>::mark(Slots& slots, const Outgoing<Index>& by) {
 }
 
 template <class Index, class Normal>
-void Holes<Index, Normal>::remove(Slots& slots, Index& last, Vertex& start) {
+void Holes<Index, Normal>::remove(Slots& slots, Index& runs, Vertex& start) {
   Index* link = &heads_[marked_list_];
   while (slots[*link].hole.is_marked == 0) link = &slots[*link].linked.next;
   const Index index = *link;
   const Hole<Index>& hole = slots[index].hole;
   *link = hole.next;
-  last = hole.last;
+  runs = hole.runs;
   start = slots[hole.start].hole_start.get();
   slots.release(hole.start);
   slots.release(index);
@@ -162,7 +162,7 @@ typename Holes<Index, Normal>::Extent Holes<Index, Normal>::extent_of(const Slot
     if (to > high) high = to;
   };
   Vertex at = ring.start;
-  const Cursor begin(slots, ring.last);
+  const Cursor begin(slots, ring.runs);
   Cursor cursor = begin;
   do {
     const ShortRun run = cursor.run(slots);
@@ -196,7 +196,7 @@ bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& 
   int32_t at_v = component(ring.start, v) - component(start, v);
   const auto is_above = [&](int32_t at) { return at > link[v] >> 1; };
   bool is_inside = false;
-  const Cursor begin(slots, ring.last);
+  const Cursor begin(slots, ring.runs);
   Cursor cursor = begin;
   do {
     const ShortRun run = cursor.run(slots);

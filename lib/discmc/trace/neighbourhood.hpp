@@ -36,7 +36,7 @@ inline constexpr LineBits lines_of_z[3] = {derive::line_bits(3, 2, 1), derive::l
                                            derive::line_bits(5, 6, 7)};
 
 /// The edge along an axis from a voxel to the next one, among rows of bits.
-struct EdgePlace {
+struct RowEdge {
   const RowBlock& rows;
   uint32_t word;
   uint32_t bit;  ///< of the voxel in its word, 1 to 30
@@ -57,7 +57,7 @@ struct EdgePlace {
   }
 };
 
-DISCMC_ALWAYS_INLINE uint32_t EdgePlace::lines() const {
+DISCMC_ALWAYS_INLINE uint32_t RowEdge::lines() const {
   const auto& row = rows.row;
   if (axis == 0)
     return line(1, 2) | line(2, 2) << 2 | line(2, 1) << 4 | line(2, 0) << 6 | line(1, 0) << 8 |

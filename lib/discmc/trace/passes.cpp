@@ -62,17 +62,17 @@ class Surroundings {
     } else {
       to = from = sector_table.face_way[lower_is_on_][lines_ >> 4 * quadrant & 3];
     }
-    Pass& comes = lower_is_on_ != 0 ? ending : beginning;
-    Pass& goes = lower_is_on_ != 0 ? beginning : ending;
+    Pass& arriving = lower_is_on_ != 0 ? ending : beginning;
+    Pass& leaving = lower_is_on_ != 0 ? beginning : ending;
     const Way out = axis_.way[quadrant][to], in = axis_.way[quadrant][from];
-    goes.first = is_spoke ? axis_.inwards[quadrant] : out.link();
-    goes.second = out.link();
-    goes.out = out.queue_out();
-    goes.flags = static_cast<uint8_t>((is_spoke ? Pass::by_centroid : 0) |
-                                      (out.is_ahead() ? Pass::ahead : 0));
-    comes.incoming = opposite_link(goes.first);
-    comes.in = in.queue_in();
-    comes.comes_from_ahead = in.is_ahead();
+    leaving.outgoing = is_spoke ? axis_.inwards[quadrant] : out.link();
+    leaving.after_centroid = out.link();
+    leaving.out_queue = out.queue_out();
+    leaving.flags = static_cast<uint8_t>((is_spoke ? Pass::by_centroid : 0) |
+                                         (out.is_ahead() ? Pass::ahead : 0));
+    arriving.incoming = opposite_link(leaving.outgoing);
+    arriving.in_queue = in.queue_in();
+    arriving.comes_from_ahead = in.is_ahead();
   }
 
  private:
@@ -127,12 +127,12 @@ DISCMC_ALWAYS_INLINE void find_passes(const Edge& edge, uint32_t absent, PassLis
 }  // namespace
 
 template <bool is_lean>
-void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
+void derive_passes(const RowEdge& edge, uint32_t absent, PassList& passes) {
   find_passes<is_lean>(edge, absent, passes);
 }
 
-template void derive_passes<false>(const EdgePlace&, uint32_t, PassList&);
-template void derive_passes<true>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<false>(const RowEdge&, uint32_t, PassList&);
+template void derive_passes<true>(const RowEdge&, uint32_t, PassList&);
 
 void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes) {
   find_passes<false>(edge, absent, passes);

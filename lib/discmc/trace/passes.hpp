@@ -15,10 +15,11 @@ namespace discmc::detail::trace {
 /// here, so the outgoing link may have a corner.
 struct Pass {
   Incidence incidence;
-  Link incoming;    ///< by which the chain arrives
-  Link first;       ///< by which the chain leaves: to the next vertex, or to a centroid before it
-  Link second;      ///< from the centroid; equal to `first` without a centroid or a corner there
-  uint8_t in, out;  ///< queues of the incoming and the outgoing link
+  Link incoming;          ///< by which the chain arrives
+  Link outgoing;          ///< to the next vertex, or to a centroid before it
+  Link after_centroid;    ///< equal to `outgoing` without a centroid or a corner there
+  uint8_t in_queue;       ///< of the incoming link
+  uint8_t out_queue;      ///< of the outgoing link
   bool comes_from_ahead;  ///< whether the previous vertex is visited later
   uint8_t flags;          ///< ahead, by_centroid
 
@@ -26,8 +27,8 @@ struct Pass {
   /// Whether the next vertex is visited later.
   bool goes_ahead() const { return (flags & ahead) != 0; }
   bool has_centroid() const { return (flags & by_centroid) != 0; }
-  bool turns() const { return incoming != first; }
-  bool turns_at_centroid() const { return first != second; }
+  bool turns() const { return incoming != outgoing; }
+  bool turns_at_centroid() const { return outgoing != after_centroid; }
 };
 
 /// All passes at a vertex.
@@ -42,9 +43,9 @@ struct PassList {
 /// Computes the passes at the vertex on an edge. absent: a bit per quadrant without a participating
 /// cell. is_lean: none is absent, and nothing is counted.
 template <bool is_lean = false>
-void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
+void derive_passes(const RowEdge& edge, uint32_t absent, PassList& passes);
 
-/// An edge with known surroundings: for hosts, in place of EdgePlace.
+/// An edge with known surroundings: for hosts, instead of RowEdge.
 struct EdgeLines {
   int axis;
   bool is_on;

@@ -7,7 +7,7 @@
 //   only lost ends wait           in the Queue: top bit of `head` set, the count in the other bits
 //                                 of `head` and in `tail` (32-bit indices: in `tail` alone)
 //   lost ends beside others       in a slot of the queue whose `mate` is no_slot: the count is in
-//                                 `last` and in the bits of `side` (32-bit indices: in `last`
+//                                 `runs` and in the bits of `side` (32-bit indices: in `runs`
 //                                 alone)
 //   the queue ends with an end    none, but a slot of the pool is reserved for a count behind it
 #ifndef DISCMC_TRACE_QUEUES_HPP
@@ -111,10 +111,10 @@ class Queues {
   }
 
   static uint32_t lost_of(const End<Index, Normal>& end) {
-    return is_narrow ? uint32_t{end.last} | static_cast<uint32_t>(end.side.bits()) << 16 : end.last;
+    return is_narrow ? uint32_t{end.runs} | static_cast<uint32_t>(end.side.bits()) << 16 : end.runs;
   }
   static void set_lost(End<Index, Normal>& end, uint32_t count) {
-    end.last = static_cast<Index>(count);
+    end.runs = static_cast<Index>(count);
     if (is_narrow) end.side.set_bits(static_cast<uint16_t>(count >> 16));
   }
   DISCMC_ALWAYS_INLINE Index new_count(Slots& slots, uint32_t count) {

@@ -15,14 +15,14 @@ struct RunLists {
   static constexpr int entries = RunSlot<Index, Normal>::entries;
 
   /// Adds a run at the end of a list, or at its beginning. Cost: at most a slot.
-  static void append(Slots& slots, Index& last, const Entry& run) {
-    add(slots, last, run, entries - 1);
+  static void append(Slots& slots, Index& list, const Entry& run) {
+    add(slots, list, run, entries - 1);
   }
-  static void prepend(Slots& slots, Index& last, const Entry& run) { add(slots, last, run, 0); }
+  static void prepend(Slots& slots, Index& list, const Entry& run) { add(slots, list, run, 0); }
 
   /// Returns the last run. Limit: not empty.
-  static ShortRun last_run(const Slots& slots, Index last) {
-    const Entry* const entry = slots[last].runs.entry;
+  static ShortRun last_run(const Slots& slots, Index list) {
+    const Entry* const entry = slots[list].runs.entry;
     return entry[2].run != 0 ? entry[2].run : entry[1].run != 0 ? entry[1].run : entry[0].run;
   }
 
@@ -37,35 +37,35 @@ struct RunLists {
   }
 
   /// Frees all slots of a list. Limit: not empty. Cost: a step per slot.
-  static void release(Slots& slots, Index last) {
-    for (Index index = slots[last].linked.next;;) {
+  static void release(Slots& slots, Index list) {
+    for (Index index = slots[list].linked.next;;) {
       const Index next = slots[index].linked.next;
       slots.release(index);
-      if (index == last) return;
+      if (index == list) return;
       index = next;
     }
   }
 
-  /// Returns the number of slots of a list if that is at most `most`, otherwise a larger number.
-  /// Cost: at most `most` + 1 steps.
-  static uint32_t slots_up_to(const Slots& slots, Index last, uint32_t most) {
+  /// Returns the number of slots of a list if that is at most `limit`, otherwise a larger number.
+  /// Cost: at most `limit` + 1 steps.
+  static uint32_t slots_up_to(const Slots& slots, Index list, uint32_t limit) {
     uint32_t count = 0;
-    if (last == no_slot) return count;
-    Index index = last;
+    if (list == no_slot) return count;
+    Index index = list;
     do {
       index = slots[index].linked.next;
       ++count;
-    } while (index != last && count <= most);
+    } while (index != list && count <= limit);
     return count;
   }
 
  private:
   // outermost: the slot's last entry to append a run, its first entry to prepend one. If that entry
   // is in use, the slot is full on this side.
-  static void add(Slots& slots, Index& last, const Entry& run, int outermost) {
+  static void add(Slots& slots, Index& list, const Entry& run, int outermost) {
     const bool is_behind = outermost != 0;
-    if (last != no_slot) {
-      Entry* const entry = slots[is_behind ? last : slots[last].linked.next].runs.entry;
+    if (list != no_slot) {
+      Entry* const entry = slots[is_behind ? list : slots[list].linked.next].runs.entry;
       if (entry[outermost].run == 0) {
         entry[entry[1].run == 0 ? 1 : outermost] = run;
         return;
@@ -77,11 +77,11 @@ struct RunLists {
     slot.entry[entries - 1 - outermost] = run;
     // The end of a circular list is also its beginning.
     slot.next = index;
-    if (last != no_slot) {
-      slot.next = slots[last].linked.next;
-      slots[last].linked.next = index;
+    if (list != no_slot) {
+      slot.next = slots[list].linked.next;
+      slots[list].linked.next = index;
     }
-    if (is_behind || last == no_slot) last = index;
+    if (is_behind || list == no_slot) list = index;
   }
 };
 
@@ -94,30 +94,32 @@ class RunCursor {
 
   RunCursor() = default;
   /// Begins at the first run of a list. Limit: not empty.
-  RunCursor(const Slots& slots, Index last) : place_(first_of(slots[last].linked.next)) {
+  RunCursor(const Slots& slots, Index list) : position_(first_of(slots[list].linked.next)) {
     if (run(slots) == 0) advance(slots);
   }
 
-  const Entry& entry(const Slots& slots) const { return slots[slot()].runs.entry[place_ % places]; }
+  const Entry& entry(const Slots& slots) const {
+    return slots[slot()].runs.entry[position_ % positions_per_slot];
+  }
   DISCMC_ALWAYS_INLINE ShortRun run(const Slots& slots) const { return entry(slots).run; }
   void advance(const Slots& slots) {
     do {
-      ++place_;
-      if (place_ % places == RunLists<Index, Normal>::entries)
-        place_ = first_of(slots[slot()].linked.next);
+      ++position_;
+      if (position_ % positions_per_slot == RunLists<Index, Normal>::entries)
+        position_ = first_of(slots[slot()].linked.next);
     } while (run(slots) == 0);
   }
 
-  bool operator==(const RunCursor& other) const { return place_ == other.place_; }
-  bool operator!=(const RunCursor& other) const { return place_ != other.place_; }
+  bool operator==(const RunCursor& other) const { return position_ == other.position_; }
+  bool operator!=(const RunCursor& other) const { return position_ != other.position_; }
 
  private:
-  static constexpr size_t places = 4;  // per slot: its entries, and one more
+  static constexpr size_t positions_per_slot = 4;  // its entries, and one more
 
-  static size_t first_of(Index slot) { return size_t{slot} * places; }
-  Index slot() const { return static_cast<Index>(place_ / places); }
+  static size_t first_of(Index slot) { return size_t{slot} * positions_per_slot; }
+  Index slot() const { return static_cast<Index>(position_ / positions_per_slot); }
 
-  size_t place_ = 0;
+  size_t position_ = 0;
 };
 
 }  // namespace discmc::detail::trace

@@ -12,7 +12,7 @@ void SampleRows<Sample>::start(Arena& arena, const Limits& limits, uint32_t ring
 
 template <class Sample>
 void SampleRows<Sample>::clear() {
-  place_ = 0;
+  row_index_ = 0;
   column_ = 0;
   rows_ = 0;
   slices_ = 0;
@@ -20,14 +20,14 @@ void SampleRows<Sample>::clear() {
 
 template <class Sample>
 void SampleRows<Sample>::append(const Sample* samples, uint32_t count, uint32_t stride) {
-  Sample* const row = row_at(place_) + column_;
+  Sample* const row = row_at(row_index_) + column_;
   for (size_t i = 0; i < count; ++i) row[i] = samples[i * stride];
   column_ += count;
 }
 
 template <class Sample>
 void SampleRows<Sample>::fill(Sample value) {
-  Sample* const row = row_at(place_);
+  Sample* const row = row_at(row_index_);
   for (; column_ < width_; ++column_) row[column_] = value;
 }
 
@@ -40,7 +40,7 @@ void SampleRows<Sample>::repeat(Sample first) {
 template <class Sample>
 void SampleRows<Sample>::next_row() {
   column_ = 0;
-  if (++place_ == ring_rows_) place_ = 0;
+  if (++row_index_ == ring_rows_) row_index_ = 0;
   if (++rows_ < height_) return;
   rows_ = 0;
   ++slices_;

@@ -45,10 +45,10 @@ class SampleRows {
 
   /// Returns the row that arrived `back` rows ago. Limit: 1 <= back < ring_rows, or ring_rows while
   /// the next row has no samples.
-  const Sample* row_before(uint32_t back) const { return row_at(place_before(back)); }
-  /// Returns the place of that row in the ring, 0 to ring_rows - 1; of the arriving row for 0.
-  uint32_t place_before(uint32_t back) const {
-    return place_ >= back ? place_ - back : place_ + ring_rows_ - back;
+  const Sample* row_before(uint32_t back) const { return row_at(index_before(back)); }
+  /// Returns the index of that row in the ring, 0 to ring_rows - 1; of the arriving row for 0.
+  uint32_t index_before(uint32_t back) const {
+    return row_index_ >= back ? row_index_ - back : row_index_ + ring_rows_ - back;
   }
 
   /// Returns the direction in which the samples fall, from on to off: the negative gradient. It is
@@ -59,7 +59,7 @@ class SampleRows {
   LongVector negative_gradient(const Vertex& vertex) const;
 
  private:
-  Sample* row_at(uint32_t place) const { return ring_ + size_t{place} * width_; }
+  Sample* row_at(uint32_t index) const { return ring_ + size_t{index} * width_; }
   bool has_row(uint32_t y, uint32_t z) const { return z < slices_ || (z == slices_ && y < rows_); }
   const Sample* row(uint32_t y, uint32_t z) const {
     return row_before((slices_ - z) * height_ + rows_ - y);
@@ -74,7 +74,7 @@ class SampleRows {
   uint32_t width_ = 0;
   uint32_t height_ = 0;
   uint32_t ring_rows_ = 0;
-  uint32_t place_ = 0;  // of the arriving row
+  uint32_t row_index_ = 0;  // of the arriving row
   uint32_t column_ = 0;
   uint32_t rows_ = 0;
   uint32_t slices_ = 0;

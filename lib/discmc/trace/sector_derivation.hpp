@@ -48,10 +48,10 @@ constexpr EdgeNumbers number_edges() {
     const Vertex at = position(point);
     if (at.x > 2 || at.y > 2) continue;
     if ((at.x == 1) + (at.y == 1) + (at.z == 1) != 1) continue;
-    int place = count++;
-    for (; place > 0 && is_visited_before(at, position(edges.point[place - 1])); --place)
-      edges.point[place] = edges.point[place - 1];
-    edges.point[place] = point;
+    int index = count++;
+    for (; index > 0 && is_visited_before(at, position(edges.point[index - 1])); --index)
+      edges.point[index] = edges.point[index - 1];
+    edges.point[index] = point;
   }
   for (int i = 0; i < cell_edges; ++i) edges.number[edges.point[i]] = static_cast<CellEdge>(i);
   return edges;
@@ -256,12 +256,12 @@ constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
 // Returns the direction of a face's link from a vertex, by the bits of the other line on that face.
 // On corners are separated.
 constexpr uint8_t face_way_of(int lower_is_on, int line) {
-  const bool lower = (line & 1) != 0, upper = (line & 2) != 0;
-  const bool here = lower_is_on != 0;
-  if (lower != upper && lower == here) return straight_way;
+  const bool is_lower_on = (line & 1) != 0, is_upper_on = (line & 2) != 0;
+  const bool is_here_on = lower_is_on != 0;
+  if (is_lower_on != is_upper_on && is_lower_on == is_here_on) return straight_way;
   // The link cuts off one corner of the middle line, the corner that is on. If both other corners
   // are on, the link cuts off the corner that is off.
-  const bool is_upper_cut_off = lower && upper ? here : !here;
+  const bool is_upper_cut_off = is_lower_on && is_upper_on ? is_here_on : !is_here_on;
   return is_upper_cut_off ? upward_way : downward_way;
 }
 

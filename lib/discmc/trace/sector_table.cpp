@@ -12,8 +12,8 @@ constexpr bool are_all_queues_used() {
   for (const AxisTable& axis : derived.axis)
     for (const auto& of_quadrant : axis.way)
       for (const Way& way : of_quadrant) is_used[way.queue_out()] = true;
-  for (const bool used : is_used)
-    if (!used) return false;
+  for (const bool is_queue_used : is_used)
+    if (!is_queue_used) return false;
   return true;
 }
 

@@ -93,7 +93,7 @@ template <class Index, class Normal>
 struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal at the start of its side
   Side side;
   Index mate;  // the fragment's other end, or is_loose()
-  Index last;  // of the fragment's run list
+  Index runs;  // the run list of the fragment
 };
 
 /// Up to three runs of a fragment, in order. Unused runs are 0, before or after the others.
@@ -109,7 +109,7 @@ struct RunSlot : Linked<Index> {
 /// A hole that waits for the ring around it, in two slots.
 template <class Index>
 struct Hole : Linked<Index> {
-  Index last;   // of its run list
+  Index runs;   // its run list
   Index start;  // index of the other slot
   Incidence incidence;
   uint8_t is_marked;  // whether it is delivered next
@@ -132,7 +132,7 @@ struct HoleStart {
 template <>
 struct Hole<uint32_t> {
   uint32_t number;  // order in which holes closed, modulo 2^32
-  uint32_t last;    // of its run list
+  uint32_t runs;    // its run list
   uint32_t start;   // index of the other slot
   uint32_t bits;    // 0-4 incidence, 5-7 first direction, 8 noted, 9 leads inside, 10-31 crossing
 

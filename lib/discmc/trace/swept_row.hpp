@@ -68,7 +68,7 @@ constexpr uint32_t column_of(uint32_t word, uint32_t bit) {
 }
 
 /// The voxels in a word whose edges cross, by axis.
-struct Crossings {
+struct CrossingEdges {
   uint32_t of[3];
 
   uint32_t voxels() const { return of[0] | of[1] | of[2]; }

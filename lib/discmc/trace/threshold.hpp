@@ -96,10 +96,11 @@ class Threshold {
   /// Whether a block is certainly off. Blocks with samples of many values near the threshold are
   /// not recognised. Limit: reads_words(samples).
   bool is_block_off(const Sample* samples) const {
-    uint32_t most = word_at(samples);
+    uint32_t combined = word_at(samples);
     DISCMC_UNROLL(8)
-    for (uint32_t word = 1; word < 8; ++word) most |= word_at(samples + word * lanes);  // a bound
-    return lanes_.reached(most) == 0;
+    for (uint32_t word = 1; word < 8; ++word)
+      combined |= word_at(samples + word * lanes);  // a bound
+    return lanes_.reached(combined) == 0;
   }
   /// Returns the number of leading samples that are certainly off, in whole blocks. Limit:
   /// reads_words(samples).

@@ -4,15 +4,10 @@
 #include <hardware.hpp>
 
 #include "board.hpp"
+#include "memory_image.hpp"
 #include "port.hpp"
 
 extern "C" {
-// From sections.ld.
-extern uintptr_t stack_begin[], stack_end[];
-extern uintptr_t data_begin[], data_end[];
-extern const uintptr_t data_load[];
-extern uintptr_t bss_begin[], bss_end[];
-
 void application() __asm__("main");  // C++ forbids calls of main
 void entry();
 void start();
@@ -33,16 +28,14 @@ constexpr uintptr_t software = 1 << 3;       // of mie
 constexpr uintptr_t external = 1 << 11;      // of mie
 constexpr uintptr_t software_cause = 3;      // of mcause, in its low byte
 
-// pmpcfg0 and pmpaddr0 allow nothing, not even in machine mode, in 4096 bytes from here on.
+// pmpcfg0 and pmpaddr0 forbid all accesses to 4096 bytes, in machine mode, too.
 constexpr uintptr_t locked_range = 0x98;
 constexpr uintptr_t range_of_4096 = 0x1FF;
 constexpr uintptr_t guard_bytes = 4096;
 
-constexpr uintptr_t paint = 0xA5C3A5C3;
-
 bool was_interrupted = false;
 
-// Accesses below the stack are forbidden: RAM that continues there would hide an overflow.
+// Forbids accesses below the stack, because RAM below it would hide an overflow.
 void guard_stack() {
   const uintptr_t guard = reinterpret_cast<uintptr_t>(stack_begin) - guard_bytes;
   __asm__ volatile("csrw pmpaddr0, %0; csrw pmpcfg0, %1" ::"r"(guard >> 2 | range_of_4096),
@@ -51,20 +44,17 @@ void guard_stack() {
 
 }  // namespace
 
-// The first instruction of the program; the stack must be there before anything else.
+// The first instruction of the program sets the stack.
 [[gnu::naked, gnu::section(".entry")]] void entry() {
   __asm__ volatile("la sp, stack_end; j start");
 }
 
 [[gnu::used]] void start() {
-  // Below the stack pointer: what is still painted at the end was never reached.
-  uintptr_t* stack_pointer;
+  const uintptr_t* stack_pointer;
   __asm__ volatile("mv %0, sp" : "=r"(stack_pointer));
-  for (uintptr_t* word = stack_begin; word < stack_pointer; ++word) *word = paint;
+  memory_image::paint_stack(stack_pointer);
   guard_stack();
-  const uintptr_t* from = data_load;
-  for (uintptr_t* to = data_begin; to < data_end;) *to++ = *from++;
-  for (uintptr_t* to = bss_begin; to < bss_end;) *to++ = 0;
+  memory_image::initialise();
 
   register_at(plic_threshold) = 0;
   __asm__ volatile("csrw mtvec, %0" ::"r"(on_trap));
@@ -73,8 +63,8 @@ void guard_stack() {
   application();
 }
 
-// Interrupts have the sign bit of the cause. All else is a fault, perhaps of the stack, so the rest
-// happens on a fresh one.
+// The sign bit of the cause marks an interrupt. All else is a fault. The stack may be its cause, so
+// the handler runs on a fresh one.
 [[gnu::naked, gnu::aligned(4)]] void on_trap() {
   __asm__ volatile(
       "csrw mscratch, t0  \n"
@@ -115,23 +105,13 @@ void cpu::enable_interrupt(uint32_t number) {
   register_at(plic_enable + number / 32 * 4) |= uint32_t{1} << number % 32;
 }
 
-// With interrupts off none comes between the look and the sleep; a pending one ends it all the
-// same.
+// Interrupts are off, so that none arrives between the test and the sleep. A pending interrupt ends
+// the sleep nevertheless.
 void board::wait() {
   __asm__ volatile("csrc mstatus, %0" ::"r"(interrupts_on) : "memory");
   if (!was_interrupted) __asm__ volatile("wfi" ::: "memory");
   was_interrupted = false;
   __asm__ volatile("csrs mstatus, %0" ::"r"(interrupts_on) : "memory");
-}
-
-size_t cpu::stack_used() {
-  const uintptr_t* word = stack_begin;
-  while (word < stack_end && *word == paint) ++word;
-  return static_cast<size_t>(stack_end - word) * sizeof *word;
-}
-
-size_t cpu::stack_bytes() {
-  return static_cast<size_t>(stack_end - stack_begin) * sizeof *stack_begin;
 }
 
 // The debugger detects the request by the three instructions, which must be uncompressed and on one

@@ -1,6 +1,6 @@
-// Rows from the file volume.raw, read by the debugger: as fast as they are wanted, as if a DMA
-// controller brought them. They have the size and type of scan.hpp, x first, little-endian; what is
-// beyond its slices is left.
+// Rows from the file volume.raw, read by the debugger as fast as they are requested, like rows of a
+// DMA controller. They have the size and type of scan.hpp, x first, little-endian. Slices beyond
+// those of scan.hpp are not read.
 #include <scan.hpp>
 
 #include "board.hpp"
@@ -38,7 +38,7 @@ void source::on_request() {
       rows::row_is_full(next_row++);
     } else {
       ended = true;
-      rows::end_of_scan(next_row, file < 0 || bytes > 0);  // a part of a row is no row
+      rows::end_of_scan(next_row, file < 0 || bytes > 0);  // an incomplete row is ignored
     }
   }
 }

@@ -1,4 +1,4 @@
-// No rows come: for applications that make their own.
+// No rows arrive: for applications that make their own.
 #include "port.hpp"
 
 void source::start() {}

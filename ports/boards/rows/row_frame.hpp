@@ -1,4 +1,4 @@
-// The frames that bring rows over a UART. README.md is the protocol.
+// The frames of rows over a UART. README.md describes the protocol.
 #pragma once
 
 #include <discmc/stream/cobs.hpp>
@@ -9,19 +9,19 @@ namespace row_frame {
 
 /// The kind of a frame. The number of each kind is below.
 enum class Kind : uint8_t {
-  start,       ///< the scan begins; how many bytes a row has
+  start,       ///< the scan begins; number of bytes per row
   row,         ///< samples follow; the row's number, counted over all slices from 0
-  end,         ///< no row follows; how many there were
-  broken_off,  ///< no row follows, against the plan; how many there were
+  end,         ///< no row follows; number of rows
+  broken_off,  ///< the scan is abandoned; number of rows
 };
 
-/// What a device answers.
+/// The answer of a device.
 enum class Answer : uint8_t {
-  restarted = 'R',  ///< it runs from its beginning, and waits for a start
-  ready = 'S',      ///< it has taken the start; there is room for two rows
-  refused = '?',    ///< it scans already, or rows of another size
-  taken = '+',      ///< a row has left its place in the buffer
-  dropped = '-',    ///< a frame was of no use: damaged, out of order, or without room
+  restarted = 'R',  ///< the device has restarted, and waits for a start
+  ready = 'S',      ///< the start is accepted; there is room for two rows
+  refused = '?',    ///< the device is scanning already, or rows have another size
+  taken = '+',      ///< a row has left the buffer
+  dropped = '-',    ///< a frame was rejected: damaged, out of order, or without room
 };
 
 constexpr size_t head_bytes = 1 + 4;
@@ -34,7 +34,7 @@ constexpr size_t max_bytes = discmc::detail::cobs::max_plain + 3;
 /// Returns its length.
 inline size_t write(uint8_t* frame, Kind kind, uint32_t number, const uint8_t* samples = nullptr,
                     size_t count = 0) {
-  frame[0] = 0;  // ends whatever is left on the line
+  frame[0] = 0;  // ends any incomplete frame on the line
   uint8_t* plain = frame + 2;
   plain[0] = static_cast<uint8_t>(kind);
   discmc::detail::wire::put(plain + 1, number, 4);
@@ -44,19 +44,19 @@ inline size_t write(uint8_t* frame, Kind kind, uint32_t number, const uint8_t* s
   return 1 + discmc::detail::cobs::stuff(frame + 1, checked + crc_bytes);
 }
 
-/// Undoes the stuffing of frames, byte by byte, and checks them. Frames are found again after
-/// whatever came between them.
+/// Removes the stuffing of frames byte by byte, and checks frames. Finds the next frame after any
+/// other bytes.
 class Reader {
  public:
   enum class Event : uint8_t {
     nothing,
     byte,     ///< one more byte of the frame: plain()
-    whole,    ///< the frame was whole; its last crc_bytes were the checksum
-    damaged,  ///< the bytes of this frame mean nothing
+    whole,    ///< the frame is valid; its last crc_bytes were the checksum
+    damaged,  ///< the frame is invalid
   };
 
-  /// Takes a byte from the line. Cost: the same for every byte.
-  Event take(uint8_t byte) {
+  /// Accepts a byte from the line. Cost: the same for every byte.
+  Event accept(uint8_t byte) {
     if (byte == 0) return end();
     if (to_code_ == 0) {  // the first of a frame
       to_code_ = byte;
@@ -94,7 +94,7 @@ class Reader {
   }
 
   uint32_t crc_ = crc_begin;
-  uint8_t to_code_ = 0;  // bytes up to the next code, which is where the zero that ends it may come
+  uint8_t to_code_ = 0;  // bytes up to the next code, where the final zero may be
   uint8_t plain_ = 0;
 };
 

@@ -1,30 +1,30 @@
-// Rows from the bytes of a line: what a receive interrupt calls. README.md is the protocol.
+// Receives rows from the bytes of a line, in a receive interrupt. README.md describes the protocol.
 #pragma once
 
 #include "row_frame.hpp"
 
-/// Writes samples where they belong as they come, holds none, and lets only those rows through that
-/// are whole, in order, and had room.
+/// Writes samples to their row as they arrive, without a buffer. Reports only rows that are
+/// complete, in order, and had room.
 class RowReceiver {
  public:
   enum class Event : uint8_t {
     nothing,
     start,       ///< a scan begins
     refused,     ///< a start during a scan, or for rows of another size
-    row,         ///< the row has come that is number(), which is higher than the one before
-    end,         ///< no row follows: there were number()
-    broken_off,  ///< no row follows, against the plan: there were number()
-    dropped,     ///< a frame was of no use
+    row,         ///< row number() has arrived; its number exceeds that of the previous row
+    end,         ///< no row follows; there were number() rows
+    broken_off,  ///< the scan was abandoned after number() rows
+    dropped,     ///< a frame was rejected
   };
 
   /// row_bytes: Limit: row_frame::max_samples.
   explicit constexpr RowReceiver(size_t row_bytes) : row_bytes_(row_bytes) {}
 
-  /// Takes a byte from the line. row: where the samples of a row go, room for row_bytes; null when
-  /// there is none. The row may become null or not null at any byte. While it is not null, it stays
-  /// the same one until a row is in it.
-  Event take(uint8_t byte, void* row) {
-    switch (reader_.take(byte)) {
+  /// Accepts a byte from the line. row: memory of row_bytes for the samples of a row; null if there
+  /// is none. The row may become null or not null at any byte. While it is not null, it stays the
+  /// same until a row is complete.
+  Event accept(uint8_t byte, void* row) {
+    switch (reader_.accept(byte)) {
       case row_frame::Reader::Event::nothing:
         break;
       case row_frame::Reader::Event::byte:
@@ -64,7 +64,7 @@ class RowReceiver {
     return count_ == row_frame::head_bytes + samples + row_frame::crc_bytes;
   }
 
-  // Before the start nothing is dropped: it belongs to a scan from before a reset.
+  // Before the start nothing counts as dropped, because it belongs to a scan before a reset.
   Event end_frame(bool is_good) {
     count_ = 0;
     if (is_good && kind_ == Kind::start) return start();
@@ -72,7 +72,7 @@ class RowReceiver {
     return is_good && number_ >= next_ && number_ < UINT32_MAX ? go_on() : Event::dropped;
   }
 
-  // A start that comes again is answered again, for the answer may have been lost.
+  // A repeated start is answered again, because the answer may have been lost.
   Event start() {
     if (number_ != row_bytes_ || (is_scanning_ && next_ > 0)) return Event::refused;
     is_scanning_ = true;
@@ -94,7 +94,7 @@ class RowReceiver {
   size_t row_bytes_;
   size_t count_ = 0;  // bytes of the frame so far, without the stuffing
   uint32_t number_ = 0;
-  uint32_t next_ = 0;  // the least number that the next row may have
+  uint32_t next_ = 0;  // the lowest valid number of the next row
   Kind kind_ = Kind::start;
   bool had_room_ = true;
   bool is_scanning_ = false;

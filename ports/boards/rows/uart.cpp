@@ -1,4 +1,5 @@
-// Rows from a host, over a second UART of the kind in uart/cmsdk.cpp. README.md is the protocol.
+// Rows from a host, over a second UART of the kind in uart/cmsdk.cpp. README.md describes the
+// protocol.
 #include <hardware.hpp>
 #include <scan.hpp>
 
@@ -19,15 +20,15 @@ static_assert(row_bytes <= row_frame::max_samples, "a row has to fit a frame");
 
 RowReceiver receiver(row_bytes);
 
-// Messages to the host that are still to be sent. The main loop writes the first, the interrupts
-// all others.
+// Messages to the host that have not been sent. The main loop writes the first one, the interrupts
+// write all others.
 uint32_t rows_emptied = 0;
 uint32_t rows_reported = 0;
 uint32_t frames_dropped = 0;
 bool start_is_taken = false;
 bool start_is_refused = false;
 
-// The next answer that is due; false when none is.
+// Returns the next answer that is due; false if there is none.
 bool next_answer(row_frame::Answer& answer) {
   if (start_is_taken) {
     start_is_taken = false;
@@ -47,7 +48,7 @@ bool next_answer(row_frame::Answer& answer) {
   return true;
 }
 
-// The rest follows when the UART has sent a byte, which is an interrupt.
+// The rest follows when the UART interrupts after sending a byte.
 void answer_host() {
   row_frame::Answer answer;
   while (!(register_at(state) & is_full) && next_answer(answer))
@@ -55,7 +56,7 @@ void answer_host() {
 }
 
 void receive(uint8_t byte) {
-  switch (receiver.take(byte, rows::free_row())) {
+  switch (receiver.accept(byte, rows::free_row())) {
     case RowReceiver::Event::nothing:
       break;
     case RowReceiver::Event::start:

@@ -25,7 +25,7 @@ void uart::start() {
 }
 
 bool uart::send(uint8_t byte) {
-  // In this order: if the byte in the way leaves now, the interrupt comes, and is not missed.
+  // This order misses no interrupt if the preceding byte leaves now.
   if (register_at(state) & is_full) {
     register_at(control) = send_enable | send_interrupt;
     if (register_at(state) & is_full) return false;

@@ -17,7 +17,7 @@ constexpr uintptr_t baud_rate = hardware::uart + 0x524;
 constexpr uint32_t enabled = 4;
 constexpr uint32_t sent_interrupt = 1 << 7;
 
-// No register shows that the UART is free: a byte is on its way from its write to its event.
+// No register shows that the UART is free. A byte is being sent from its write to its event.
 bool is_sending = false;
 
 }  // namespace
@@ -45,7 +45,7 @@ bool uart::is_idle() {
   return !is_sending || register_at(has_sent) != 0;
 }
 
-// The interrupt lasts as long as the event is set: once is enough.
+// The interrupt persists while the event is set, so one is enough.
 void uart::on_interrupt() {
   register_at(clear_interrupts) = sent_interrupt;
 }

@@ -18,7 +18,7 @@ constexpr uint8_t fifo_is_empty = 1 << 5;  // of the line status
 constexpr uint8_t all_is_sent = 1 << 6;    // of the line status
 constexpr uint8_t fifo_bytes = 16;
 
-uint8_t room = 0;  // in the FIFO, as far as is known
+uint8_t room = 0;  // upper bound of the bytes in the FIFO
 
 }  // namespace
 
@@ -45,7 +45,7 @@ bool uart::is_idle() {
   return (register_at<uint8_t>(line_status) & all_is_sent) != 0;
 }
 
-// The interrupt lasts as long as the FIFO is empty: once is enough.
+// The interrupt persists while the FIFO is empty, so one is enough.
 void uart::on_interrupt() {
   register_at<uint8_t>(interrupts) = 0;
 }

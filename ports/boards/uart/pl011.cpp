@@ -32,7 +32,7 @@ void uart::start() {
 }
 
 bool uart::send(uint8_t byte) {
-  // In this order: if room comes to be now, the interrupt comes, and is not missed.
+  // This order misses no interrupt if room becomes available now.
   if (register_at(flags) & is_full) {
     register_at(clear_interrupts) = room_interrupt;
     register_at(interrupts) = room_interrupt;

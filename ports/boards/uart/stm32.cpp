@@ -36,7 +36,7 @@ bool uart::is_idle() {
   return (register_at(status) & all_is_sent) != 0;
 }
 
-// The interrupt lasts as long as there is room: once is enough.
+// The interrupt persists while there is room, so one is enough.
 void uart::on_interrupt() {
   register_at(control) = send_enable;
 }

@@ -162,7 +162,7 @@ ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress&
   ExtractionOptions options;
   options.selection = arguments.selections[0].selection;
   options.border = arguments.border;
-  options.takes_majority = arguments.median > 0;
+  options.filters_by_majority = arguments.median > 0;
   options.memory = arguments.memory;
   if (!arguments.capacities.empty())
     options.capacities = Capacities{arguments.capacities[0], arguments.capacities[1]};

@@ -34,7 +34,7 @@ class SliceSteps {
  private:
   struct NoCoder {
     bool code_bit(LearntProbability&, bool bit) { return bit; }
-    uint32_t even(uint32_t, uint32_t value) { return value; }
+    uint32_t raw_bits(uint32_t, uint32_t value) { return value; }
   };
 
   void count_row() {

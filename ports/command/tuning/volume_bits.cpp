@@ -26,8 +26,9 @@ VolumeBits::VolumeBits(VolumeReader& volume, const ExtractionOptions& options)
       sample_bytes_(command::sample_bytes(volume.info().type) == 1 ? 1 : 2),
       is_floating_(command::is_floating(volume.info().type)),
       row_bytes_(bit_row_bytes(limits_.width)) {
-  const SlabSpans all = slab_spans({0, slices()}, slices(), options.takes_majority);
-  BitSource source(volume.info(), limits_, all, options.takes_majority, {{options.selection, {}}});
+  const SlabSpans all = slab_spans({0, slices()}, slices(), options.filters_by_majority);
+  BitSource source(volume.info(), limits_, all, options.filters_by_majority,
+                   {{options.selection, {}}});
   bits_.reserve(row_bytes_ * limits_.height * slices());
   const std::size_t slice_bytes = row_bytes_ * limits_.height;
   const auto keep = [&](const std::uint8_t* row) {

@@ -1,4 +1,4 @@
-// What a device throws that went away while it was in use.
+// The exception for a device that disappears while it is in use.
 #pragma once
 
 #include <stdexcept>

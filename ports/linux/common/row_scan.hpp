@@ -1,4 +1,4 @@
-// A scan whose rows come one at a time from a device, and whose surface leaves as a stream.
+// A scan with rows from a device, one at a time, and its surface as a stream.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace discmc::device {
 
-/// What is scanned, and how.
+/// The parameters of a scan.
 struct ScanPlan {
-  /// Samples per row, rows per slice, and slices at most.
+  /// Samples per row, rows per slice, and the maximum number of slices.
   std::array<std::uint32_t, 3> dims{};
   /// Limit: is_scanner_type(type).
   meshing::SampleType type = meshing::SampleType::u8;
@@ -35,34 +35,34 @@ struct ScanPlan {
 /// Rows are counted over all slices from 0. Every row is pushed or skipped, once and in order.
 class RowScan {
  public:
-  /// Begins the stream. output: takes everything at once. Throws std::invalid_argument when the
-  /// memory is too small (the text names the least), and where the plan makes no stream.
+  /// Begins the stream. output: accepts everything at once. Throws std::invalid_argument if the
+  /// memory is too small (the text names the minimum), or if the plan is invalid.
   RowScan(const ScanPlan& plan, const ByteOutput& output);
   RowScan(const RowScan&) = delete;
   RowScan& operator=(const RowScan&) = delete;
 
-  /// Takes the next row. Size: row_bytes() of the plan, 16-bit samples with the low byte first.
-  /// Limit: not after the last row, as with skip().
+  /// Accepts the next row. Size: row_bytes() of the plan; 16-bit samples are little-endian. Limit:
+  /// not after the last row, as for skip().
   void push(const std::uint8_t* row);
 
-  /// Replaces rows that never came: the previous row is repeated, and the stream marks this. No
-  /// more than the plan has left.
+  /// Replaces missing rows by the previous row, and marks them in the stream. Limit: the rows that
+  /// are left in the plan.
   void skip(std::uint32_t rows);
 
-  /// Ends the scan: whole where a slice is, else abandoned in the middle of it.
+  /// Ends the scan: completes it after a whole slice, else abandons it.
   void finish();
 
-  /// Ends a scan that broke off. The stream is valid and marked as abandoned.
+  /// Ends an interrupted scan. The stream is valid and marked as abandoned.
   void abandon();
 
-  /// Rows so far, skipped ones included.
+  /// Rows so far, including skipped ones.
   std::uint32_t rows() const { return rows_; }
   bool has_all_rows() const { return rows_ == plan_.rows(); }
-  /// Nothing was skipped and no row of the plan is missing.
+  /// Whether no row was skipped and no row of the plan is missing.
   bool is_whole() const { return has_all_rows() && statistics().skipped_rows == 0; }
   Statistics statistics() const;
 
-  /// One key and value a line, for people and programs.
+  /// Prints one key and value per line.
   void report(std::ostream& out) const;
 
  private:
@@ -72,7 +72,7 @@ class RowScan {
   ScanPlan plan_;
   std::vector<std::uint8_t> memory_;
   Encoder encoder_;
-  // Indices as wide as `discmc extract` takes for as much memory, so that the streams are the same.
+  // Indices as wide as those of `discmc extract` for this memory, so that the streams are equal.
   std::variant<Extractor16, Extractor32> extractor_;
   std::uint32_t rows_ = 0;
 };

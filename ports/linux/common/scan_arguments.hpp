@@ -1,4 +1,4 @@
-// The arguments that every scanning command takes, and its exit codes.
+// The arguments of all scanning commands, and their exit codes.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,9 +1,9 @@
-// The wish to end: Ctrl-C, or a SIGTERM. A scan then ends in order, and its stream is valid.
+// Requests to end: Ctrl-C or SIGTERM. A scan then ends in order, and its stream is valid.
 #pragma once
 
 namespace discmc::device::stop_signal {
 
-/// From here on the signals are noted, and system calls that wait end with EINTR.
+/// From now on signals are recorded, and waiting system calls end with EINTR.
 void watch();
 
 bool came();

@@ -1,4 +1,4 @@
-// Where the stream of a device goes: a file that grows while the scan runs, or standard output.
+// The target of a device's stream: a file that grows during the scan, or standard output.
 #pragma once
 
 #include <discmc/encoder.hpp>
@@ -9,15 +9,15 @@
 
 namespace discmc::device {
 
-/// Written in place, so that what was scanned is there whatever ends the program.
+/// Written in place, so that the scanned part exists even if the program is killed.
 class StreamTarget {
  public:
-  /// path: "-" is standard output, but no terminal. Throws std::runtime_error.
+  /// path: "-" is standard output, which must not be a terminal. Throws std::runtime_error.
   explicit StreamTarget(const std::string& path);
 
   ByteOutput output() { return stream_.byte_output(); }
 
-  /// Hands everything on. Throws std::runtime_error when something could not be written.
+  /// Flushes everything. Throws std::runtime_error if a write has failed.
   void flush();
 
  private:

@@ -1,4 +1,4 @@
-// A button that bounces: its presses, and how long they are.
+// The presses of a bouncing button, and their lengths.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@ class Button {
  public:
   enum class Press : std::uint8_t { none, brief, lengthy };
 
-  /// Changes that follow another so soon are bouncing. Units: nanoseconds.
+  /// Changes that follow another within this time are bouncing. Units: nanoseconds.
   static constexpr std::uint64_t bounce_ns = 20'000'000;
-  /// A press of this length is a lengthy one. Units: nanoseconds.
+  /// The minimum duration of a lengthy press. Units: nanoseconds.
   static constexpr std::uint64_t lengthy_ns = 1'000'000'000;
 
-  /// Takes a change of the contact. A press is reported when the button is released.
-  Press take(bool is_pressed, std::uint64_t time_ns) {
+  /// Processes a change of the contact. A press is reported when the button is released.
+  Press update(bool is_pressed, std::uint64_t time_ns) {
     if (has_changed_ && time_ns - changed_ns_ < bounce_ns) return Press::none;
     const bool is_release = is_pressed_ && !is_pressed;
     const std::uint64_t held_ns = time_ns - changed_ns_;

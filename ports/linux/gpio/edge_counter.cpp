@@ -16,7 +16,7 @@ std::uint32_t EdgeCounter::missed_before(const LineEvent& edge) {
 }
 
 std::uint32_t EdgeCounter::missed_by_number(std::uint32_t number) {
-  const std::uint32_t missed = number - last_number_ - 1;  // also where 32 bits have run over
+  const std::uint32_t missed = number - last_number_ - 1;  // also after a wrap of 32 bits
   last_number_ = number;
   return missed;
 }
@@ -32,8 +32,8 @@ std::uint32_t EdgeCounter::missed_by_time(std::uint64_t interval, bool may_follo
   return 0;
 }
 
-// The mean of the intervals that are like the median one. A pause does not disturb it, and over
-// many periods it is more exact than the median.
+// The mean of the intervals near the median. Pauses do not affect it, and over many periods it is
+// more exact than the median.
 double EdgeCounter::period() const {
   std::vector<std::uint64_t> sorted(intervals_.begin(), intervals_.end());
   std::sort(sorted.begin(), sorted.end());

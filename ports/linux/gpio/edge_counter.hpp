@@ -1,10 +1,10 @@
-// How many edges of the sync line were missed.
+// Counts missed edges of the sync line.
 //
-// Where the kernel numbers the edges (libgpiod 2.x) a gap in the numbers is the answer, and exact.
-// If it does not (1.x) it drops edges only while its queue is full. After a full queue, the time
-// since the last edge is divided by the period of the edges before it. The answer is right while
-// the stage keeps its pace to half a period over the gap. Other long intervals are no loss but a
-// stage that stood still; they are only counted.
+// If the kernel numbers edges (libgpiod 2.x), gaps in the numbers are exact. If not (1.x), the
+// kernel drops edges only while its queue is full. After a full queue, the time since the last edge
+// is divided by the period of the edges before. The result is exact if the pace of the stage
+// changes by less than half a period over the gap. Other long intervals are pauses of the stage;
+// they are only counted.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace discmc::device {
 
 class EdgeCounter {
  public:
-  /// Takes the next edge that was seen; returns how many were missed before it.
+  /// Processes the next received edge. Returns the number of missed edges before it.
   std::uint32_t missed_before(const LineEvent& edge);
 
-  /// Intervals of 1.5 periods or more without a sign that edges were missed.
+  /// The number of intervals of 1.5 periods or more without missed edges.
   std::uint64_t long_intervals() const { return long_intervals_; }
 
  private:
@@ -32,7 +32,7 @@ class EdgeCounter {
   std::uint32_t last_number_ = 0;
   std::uint64_t last_ns_ = 0;
   bool has_last_ = false;
-  std::deque<std::uint64_t> intervals_;  // the latest, without those in which edges were missed
+  std::deque<std::uint64_t> intervals_;  // the latest intervals, without those with missed edges
   std::uint64_t long_intervals_ = 0;
 };
 

@@ -1,6 +1,5 @@
-// Line events by libgpiod 1.x. Each line has a queue of its own in the kernel, which holds 16
-// events and drops what comes while it is full. Events have times but no numbers, so all that can
-// be known is that the queue was full.
+// Line events by libgpiod 1.x. The kernel has a queue of 16 events per line, and drops events while
+// it is full. Events have times but no numbers, so only a full queue is detected.
 #include <gpiod.h>
 
 #include <algorithm>
@@ -24,20 +23,20 @@ std::string reason() {
 }  // namespace
 
 struct LineEvents::Lines {
-  struct Taken {
+  struct RequestedLine {
     LineRole role;
     gpiod_line* handle;
-    bool was_full = false;  // its queue, when last read
+    bool was_full = false;  // whether its queue was full at the last read
   };
 
   gpiod_chip* chip = nullptr;
-  std::vector<Taken> taken;
+  std::vector<RequestedLine> requested;
 
   ~Lines() {
-    if (chip != nullptr) gpiod_chip_close(chip);  // and with it the lines
+    if (chip != nullptr) gpiod_chip_close(chip);  // also closes the lines
   }
 
-  void take(LineRole role, const std::string& name, int request_type, int flags) {
+  void request(LineRole role, const std::string& name, int request_type, int flags) {
     gpiod_line* handle = is_offset(name)
                              ? gpiod_chip_get_line(chip, static_cast<unsigned>(std::stoul(name)))
                              : gpiod_chip_find_line(chip, name.c_str());
@@ -47,10 +46,10 @@ struct LineEvents::Lines {
     const gpiod_line_request_config config{"discmc-gpio", request_type, flags};
     if (gpiod_line_request(handle, &config, 0) != 0)
       throw std::runtime_error("GPIO line '" + name + "' cannot be requested: " + reason());
-    taken.push_back({role, handle});
+    requested.push_back({role, handle});
   }
 
-  void read(Taken& line, std::vector<LineEvent>& events) {
+  void read(RequestedLine& line, std::vector<LineEvent>& events) {
     std::array<gpiod_line_event, queue_events> queue;
     const int count = gpiod_line_event_read_multiple(line.handle, queue.data(), queue_events);
     if (count < 0) throw DeviceGone("the GPIO chip is gone: " + reason());
@@ -78,14 +77,14 @@ LineEvents::LineEvents(const Wiring& wiring) : lines_(std::make_unique<Lines>())
                                                       GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP
                                                 : 0;
   if (!wiring.button.empty())
-    lines_->take(LineRole::button, wiring.button, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES, contact);
+    lines_->request(LineRole::button, wiring.button, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES, contact);
   if (!wiring.end_stop.empty())
-    lines_->take(LineRole::end_stop, wiring.end_stop, GPIOD_LINE_REQUEST_EVENT_RISING_EDGE,
-                 contact);
-  lines_->take(LineRole::sync, wiring.sync,
-               wiring.sync_is_falling ? GPIOD_LINE_REQUEST_EVENT_FALLING_EDGE
-                                      : GPIOD_LINE_REQUEST_EVENT_RISING_EDGE,
-               0);
+    lines_->request(LineRole::end_stop, wiring.end_stop, GPIOD_LINE_REQUEST_EVENT_RISING_EDGE,
+                    contact);
+  lines_->request(LineRole::sync, wiring.sync,
+                  wiring.sync_is_falling ? GPIOD_LINE_REQUEST_EVENT_FALLING_EDGE
+                                         : GPIOD_LINE_REQUEST_EVENT_RISING_EDGE,
+                  0);
 }
 
 LineEvents::~LineEvents() = default;
@@ -93,14 +92,14 @@ LineEvents::~LineEvents() = default;
 std::vector<LineEvent> LineEvents::wait(std::chrono::milliseconds timeout) {
   gpiod_line_bulk all = GPIOD_LINE_BULK_INITIALIZER;
   gpiod_line_bulk ready = GPIOD_LINE_BULK_INITIALIZER;
-  for (const Lines::Taken& line : lines_->taken) gpiod_line_bulk_add(&all, line.handle);
+  for (const Lines::RequestedLine& line : lines_->requested) gpiod_line_bulk_add(&all, line.handle);
   const timespec limit{timeout.count() / 1000, timeout.count() % 1000 * 1'000'000};
   const int found = gpiod_line_event_wait_bulk(&all, &limit, &ready);
   std::vector<LineEvent> events;
   if (found == 0 || (found < 0 && errno == EINTR)) return events;
   if (found < 0 || gpiod_line_bulk_num_lines(&ready) == 0)
     throw DeviceGone("the GPIO chip is gone: " + reason());
-  for (Lines::Taken& line : lines_->taken)
+  for (Lines::RequestedLine& line : lines_->requested)
     for (unsigned i = 0; i < gpiod_line_bulk_num_lines(&ready); ++i)
       if (gpiod_line_bulk_get_line(&ready, i) == line.handle) lines_->read(line, events);
   std::stable_sort(events.begin(), events.end(),

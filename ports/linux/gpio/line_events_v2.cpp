@@ -1,5 +1,5 @@
-// Line events by libgpiod 2.x: one queue for all lines, as large as the kernel makes it. Every
-// event has the number of its edge. While the queue is full the kernel drops the oldest event.
+// Line events by libgpiod 2.x: one queue for all lines, of the kernel's maximum size. Every event
+// has the number of its edge. While the queue is full the kernel drops the oldest event.
 #include <gpiod.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace discmc::device {
 namespace {
 
-// The most that the kernel takes: 16 for each of the 64 lines of a request.
+// The maximum of the kernel: 16 for each of the 64 lines of a request.
 constexpr std::size_t queue_events = 1024;
 
 template <auto function>
@@ -69,20 +69,20 @@ void require(bool succeeded) {
 }  // namespace
 
 struct LineEvents::Lines {
-  struct Taken {
+  struct RequestedLine {
     LineRole role;
     unsigned offset;
   };
 
   Chip chip;
   LineConfig config{gpiod_line_config_new()};
-  std::vector<Taken> taken;
+  std::vector<RequestedLine> requested;
   Request request;
   Buffer buffer{gpiod_edge_event_buffer_new(queue_events)};
 
   void add(LineRole role, const std::string& name, gpiod_line_edge edge, bool to_ground) {
     const unsigned offset = offset_of(chip.get(), name);
-    for (const Taken& other : taken)
+    for (const RequestedLine& other : requested)
       if (other.offset == offset)
         throw std::runtime_error("GPIO line '" + name + "' is given twice; give each line once");
     const Settings settings(gpiod_line_settings_new());
@@ -94,10 +94,10 @@ struct LineEvents::Lines {
       require(gpiod_line_settings_set_bias(settings.get(), GPIOD_LINE_BIAS_PULL_UP) == 0);
     }
     require(gpiod_line_config_add_line_settings(config.get(), &offset, 1, settings.get()) == 0);
-    taken.push_back({role, offset});
+    requested.push_back({role, offset});
   }
 
-  void take() {
+  void send_request() {
     const RequestConfig options(gpiod_request_config_new());
     require(options != nullptr && buffer != nullptr);
     gpiod_request_config_set_consumer(options.get(), "discmc-gpio");
@@ -110,8 +110,9 @@ struct LineEvents::Lines {
 
   LineEvent read(gpiod_edge_event* edge) const {
     const unsigned offset = gpiod_edge_event_get_line_offset(edge);
-    const auto line = std::find_if(taken.begin(), taken.end(),
-                                   [&](const Taken& each) { return each.offset == offset; });
+    const auto line =
+        std::find_if(requested.begin(), requested.end(),
+                     [&](const RequestedLine& each) { return each.offset == offset; });
     LineEvent event{};
     event.role = line->role;
     event.is_active = line->role == LineRole::sync ||
@@ -134,7 +135,7 @@ LineEvents::LineEvents(const Wiring& wiring) : lines_(std::make_unique<Lines>())
                 wiring.contacts_to_ground);
   lines_->add(LineRole::sync, wiring.sync,
               wiring.sync_is_falling ? GPIOD_LINE_EDGE_FALLING : GPIOD_LINE_EDGE_RISING, false);
-  lines_->take();
+  lines_->send_request();
 }
 
 LineEvents::~LineEvents() = default;

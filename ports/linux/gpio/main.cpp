@@ -15,7 +15,7 @@
 namespace discmc::device {
 namespace {
 
-// How soon a signal that came just before the waiting began is seen.
+// The delay with which a signal is noticed that arrives just before waiting begins.
 constexpr std::chrono::milliseconds patience{100};
 
 struct Arguments {
@@ -59,11 +59,11 @@ void follow(LineEvents& lines, TriggeredScan& triggered, const RowScan& scan,
   command::Progress progress("row", 0);
   bool is_printed = false;
   while (triggered.state() != TriggeredScan::State::ended && !stop_signal::came()) {
-    for (const LineEvent& event : lines.wait(patience)) triggered.take(event);
+    for (const LineEvent& event : lines.wait(patience)) triggered.process(event);
     target.flush();
     progress.show(scan.rows());
     if (is_printed || !triggered.first_missed_row()) continue;
-    is_printed = true;  // once: printing takes time, and the report counts them all
+    is_printed = true;  // once, because printing takes time; the report counts them all
     std::cerr << "discmc-gpio: edges were missed from row " << *triggered.first_missed_row()
               << " on, so their rows are skipped; slow the stage down\n";
   }

@@ -18,15 +18,14 @@ class RowSource {
   RowSource& operator=(const RowSource&) = delete;
   virtual ~RowSource() = default;
 
-  /// Reads the row with this number, 16-bit samples with the low byte first. False when there is
-  /// none any more, or when the program must stop. row: Size: a row, owned by the caller. Throws
-  /// DeviceGone.
+  /// Reads the row with this number; 16-bit samples are little-endian. Returns false after the last
+  /// row, or if the program must stop. row: Size: a row, owned by the caller. Throws DeviceGone.
   virtual bool read(std::uint32_t number, std::vector<std::uint8_t>& row) = 0;
 };
 
-/// A file holds the rows by their numbers, missed ones too. Anything else that can be read, a
-/// device or a pipe ("-" is standard input), gives the row that its sensor holds. It is the next
-/// one, whatever its number. Throws std::runtime_error when it cannot be opened.
+/// A file contains the rows by their numbers, including missed ones. A device or a pipe ("-" is
+/// standard input) returns the next row of its sensor for any number. Throws std::runtime_error if
+/// it cannot be opened.
 std::unique_ptr<RowSource> open_rows(const std::string& path);
 
 /// A generated volume: a ball with a hole through it, in noise.

@@ -2,13 +2,13 @@
 
 namespace discmc::device {
 
-void TriggeredScan::take(const LineEvent& event) {
+void TriggeredScan::process(const LineEvent& event) {
   if (state_ == State::ended) return;
   switch (event.role) {
     case LineRole::sync:
       return take_edge(event);
     case LineRole::button:
-      return press(button_.take(event.is_active, event.time_ns));
+      return press(button_.update(event.is_active, event.time_ns));
     case LineRole::end_stop:
       state_ = State::ended;
   }

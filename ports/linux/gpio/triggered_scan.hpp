@@ -1,4 +1,4 @@
-// The scan that the lines of a stage drive: which edge is which row, and when the scan runs.
+// The scan driven by the lines of a stage: the rows of edges, and the state of the scan.
 #pragma once
 
 #include <cstdint>
@@ -23,24 +23,24 @@ class TriggeredScan {
  public:
   enum class State : std::uint8_t { waiting, running, paused, ended };
 
-  /// Without a button the scan runs at once. Owner: scan and source outlive this.
+  /// Without a button the scan runs at once. Owner: scan and source outlive this object.
   TriggeredScan(RowScan& scan, RowSource& source, std::size_t row_bytes, bool has_button)
       : scan_(scan),
         source_(source),
         row_(row_bytes),
         state_(has_button ? State::waiting : State::running) {}
 
-  /// Takes the next event. Nothing happens once the scan has ended.
-  void take(const LineEvent& event);
+  /// Processes the next event. After the end of the scan, has no effect.
+  void process(const LineEvent& event);
 
   State state() const { return state_; }
-  /// Edges that were missed while the scan ran.
+  /// The number of edges missed while the scan ran.
   std::uint64_t missed() const { return missed_; }
 
-  /// The row of the first of them; nothing without any.
+  /// The row of the first missed edge; none if no edge was missed.
   std::optional<std::uint32_t> first_missed_row() const { return first_missed_row_; }
 
-  /// As RowScan::report(), of the edges.
+  /// Prints the counts of edges like RowScan::report().
   void report(std::ostream& out) const;
 
  private:
@@ -56,7 +56,7 @@ class TriggeredScan {
   std::uint64_t edges_ = 0;
   std::uint64_t missed_ = 0;
   std::optional<std::uint32_t> first_missed_row_;
-  std::uint64_t unused_ = 0;  // edges while the scan did not run
+  std::uint64_t unused_ = 0;  // edges while the scan was not running
 };
 
 }  // namespace discmc::device

@@ -11,7 +11,7 @@
 namespace discmc::device {
 namespace {
 
-// What cannot be shown in one byte a character becomes a question mark.
+// Characters that are not ASCII become question marks.
 std::string narrow(const wchar_t* text) {
   std::string narrow;
   for (; text != nullptr && *text != 0; ++text)
@@ -38,7 +38,7 @@ hid_device* open(const std::string& name) {
 std::size_t list_hid_devices(std::ostream& out) {
   const std::unique_ptr<hid_device_info, void (*)(hid_device_info*)> all(hid_enumerate(0, 0),
                                                                          hid_free_enumeration);
-  std::set<std::string> paths;  // hidapi lists a device once for each of its uses
+  std::set<std::string> paths;  // hidapi lists a device once for each of its usages
   for (const hid_device_info* info = all.get(); info != nullptr; info = info->next)
     if (paths.insert(info->path).second)
       out << info->path << ' ' << vendor_and_product(*info) << ' '
@@ -61,7 +61,7 @@ std::size_t HidDevice::read(Bytes& report, std::chrono::milliseconds timeout) {
 }
 
 void HidDevice::write(const Bytes& report) {
-  // hidapi wants the report id first, which is 0 for a device that has but one report.
+  // hidapi requires the report id first: 0 for a device with a single report.
   std::array<std::uint8_t, 1 + Report::bytes> bytes{};
   std::copy(report.begin(), report.end(), bytes.begin() + 1);
   if (hid_write(device_.get(), bytes.data(), bytes.size()) < 0)

@@ -13,22 +13,22 @@
 
 namespace discmc::device {
 
-/// Writes a line for every device that is there: path, vendor:product, names. Returns how many.
+/// Writes a line for every device: path, vendor:product, names. Returns their number.
 std::size_t list_hid_devices(std::ostream& out);
 
 class HidDevice {
  public:
   using Bytes = std::array<std::uint8_t, Report::bytes>;
 
-  /// name: a path, or vendor:product in hexadecimal digits as `list` shows them, of which the first
-  /// device is taken. Throws std::runtime_error.
+  /// name: a path, or vendor:product in hexadecimal digits as in `list`, which selects the first
+  /// such device. Throws std::runtime_error.
   explicit HidDevice(const std::string& name);
 
-  /// Waits for a report; returns its bytes, 0 when the timeout is over or a signal came. Throws
-  /// DeviceGone when the device is no longer there.
+  /// Waits for a report. Returns its size; 0 after a timeout or a signal. Throws DeviceGone if the
+  /// device has disappeared.
   std::size_t read(Bytes& report, std::chrono::milliseconds timeout);
 
-  /// Throws DeviceGone when the device takes no report.
+  /// Throws DeviceGone if the device accepts no report.
   void write(const Bytes& report);
 
  private:

@@ -1,4 +1,4 @@
-// discmc-hid: a scan whose rows arrive in HID reports.
+// discmc-hid: a scan with rows from HID reports.
 #include <discmc/version.h>
 #include <chrono>
 #include <iostream>
@@ -15,7 +15,7 @@
 namespace discmc::device {
 namespace {
 
-// How soon a signal that came just before the waiting began is seen.
+// The delay with which a signal is noticed that arrives just before waiting begins.
 constexpr std::chrono::milliseconds patience{100};
 
 struct Arguments {
@@ -40,7 +40,7 @@ int run_list() {
   return exit_ok;
 }
 
-// The stream on its way into the file and, if asked, to the device.
+// Passes the stream to the file and, on request, to the device.
 struct Output {
   StreamTarget target;
   StreamReports reports;
@@ -65,7 +65,7 @@ void send(HidDevice& device, Report::Kind kind) {
   device.write(report);
 }
 
-// Takes reports until the scan has all its rows, or the scanner or the user ends it.
+// Receives reports until the scan has all its rows, or the scanner or the user ends it.
 void follow(HidDevice& device, RowAssembler& assembler, RowScan& scan, Output& output) {
   command::Progress progress("row", 0);
   HidDevice::Bytes report{};
@@ -73,17 +73,17 @@ void follow(HidDevice& device, RowAssembler& assembler, RowScan& scan, Output& o
   while (!has_ended && !scan.has_all_rows() && !stop_signal::came()) {
     const std::size_t count = device.read(report, patience);
     if (count == 0) continue;
-    const RowAssembler::Taken taken = assembler.take(report.data(), count);
-    scan.skip(taken.lost_rows);
-    if (taken.has_row) scan.push(assembler.row());
-    has_ended = taken.has_ended;
+    const RowAssembler::Received received = assembler.add(report.data(), count);
+    scan.skip(received.lost_rows);
+    if (received.has_row) scan.push(assembler.row());
+    has_ended = received.has_ended;
     output.target.flush();
     output.reports.send_full([&](const auto& bytes) { device.write(bytes); });
     progress.show(scan.rows());
   }
 }
 
-// Whether the device is still there after something was done with it.
+// Whether the device still exists after an operation with it.
 template <class Step>
 bool outlives(Step step) {
   try {

@@ -1,4 +1,4 @@
-// The reports between a scanner and this computer. README.md is the protocol.
+// The reports between a scanner and this computer. README.md describes the protocol.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace discmc::device {
 
-/// A report without its report id, as the device sees it.
+/// A report without its report id.
 struct Report {
   static constexpr std::size_t bytes = 64;
   static constexpr std::size_t head_bytes = 8;
@@ -31,7 +31,7 @@ struct Report {
   std::uint32_t number = 0;  ///< of the row, over all slices, or of the part; from 0
   const std::uint8_t* payload = nullptr;
 
-  /// Size: `bytes`; what follows the payload is 0.
+  /// Size: `bytes`; bytes after the payload are 0.
   void write(std::uint8_t* report) const {
     std::fill_n(report, bytes, std::uint8_t{0});
     const auto first = static_cast<std::uint32_t>(version << 4 | static_cast<int>(kind));
@@ -42,7 +42,8 @@ struct Report {
     std::copy_n(payload, length, report + head_bytes);
   }
 
-  /// Nothing when it is none of these reports. Owner: the payload stays in the bytes given.
+  /// Returns nothing if it is not one of these reports. Owner: the payload stays in the given
+  /// bytes.
   static std::optional<Report> read(const std::uint8_t* report, std::size_t count) {
     if (count != bytes) return std::nullopt;
     detail::wire::ByteReader head(report, head_bytes);

@@ -7,14 +7,14 @@ namespace discmc::device {
 RowAssembler::RowAssembler(std::size_t row_bytes, std::uint32_t rows)
     : row_(row_bytes), rows_(rows) {}
 
-RowAssembler::Taken RowAssembler::take(const std::uint8_t* report, std::size_t count) {
+RowAssembler::Received RowAssembler::add(const std::uint8_t* report, std::size_t count) {
   ++reports_;
   const auto read = Report::read(report, count);
   if (!read || !is_valid(*read)) {
     ++unreadable_;
     return {};
   }
-  return read->kind == Report::Kind::end ? take_end(read->number) : take_chunk(*read);
+  return read->kind == Report::Kind::end ? add_end(read->number) : add_chunk(*read);
 }
 
 bool RowAssembler::is_valid(const Report& report) const {
@@ -25,7 +25,7 @@ bool RowAssembler::is_valid(const Report& report) const {
   return report.length == std::min(row_.size() - begin, Report::payload_bytes);
 }
 
-RowAssembler::Taken RowAssembler::take_chunk(const Report& report) {
+RowAssembler::Received RowAssembler::add_chunk(const Report& report) {
   const std::uint64_t position = report.number * chunks() + report.chunk;
   if (position < next_position_) {
     ++repeated_;
@@ -35,32 +35,32 @@ RowAssembler::Taken RowAssembler::take_chunk(const Report& report) {
   lost_ += position - next_position_;
   next_position_ = position + 1;
 
-  Taken taken;
-  taken.lost_rows = report.number - next_row_;
+  Received received;
+  received.lost_rows = report.number - next_row_;
   next_row_ = report.number;
-  if (taken.lost_rows > 0) is_damaged_ = false;
+  if (received.lost_rows > 0) is_damaged_ = false;
   if (follows_loss && report.chunk > 0) is_damaged_ = true;
   std::copy_n(report.payload, report.length,
               row_.begin() + report.chunk * static_cast<std::ptrdiff_t>(Report::payload_bytes));
 
-  if (report.chunk + 1U < chunks()) return taken;
+  if (report.chunk + 1U < chunks()) return received;
   ++next_row_;
-  taken.has_row = !is_damaged_;
-  if (is_damaged_) ++taken.lost_rows;
+  received.has_row = !is_damaged_;
+  if (is_damaged_) ++received.lost_rows;
   is_damaged_ = false;
-  return taken;
+  return received;
 }
 
-RowAssembler::Taken RowAssembler::take_end(std::uint32_t rows) {
+RowAssembler::Received RowAssembler::add_end(std::uint32_t rows) {
   const std::uint64_t position = rows * chunks();
-  Taken taken;
-  taken.has_ended = true;
-  if (position < next_position_) return taken;
+  Received received;
+  received.has_ended = true;
+  if (position < next_position_) return received;
   lost_ += position - next_position_;
-  taken.lost_rows = rows - next_row_;
+  received.lost_rows = rows - next_row_;
   next_row_ = rows;
   next_position_ = position;
-  return taken;
+  return received;
 }
 
 void RowAssembler::report(std::ostream& out) const {

@@ -1,4 +1,4 @@
-// Rows from the reports of a scanner: lost and repeated ones are noticed.
+// Assembles rows from the reports of a scanner, and detects lost and repeated reports.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace discmc::device {
 
-/// A row of which a report is missing is lost as a whole. Reports come in their order, as HID keeps
-/// it: one from before is a repeated one.
+/// A row with a missing report is lost. HID keeps the order of reports, so an earlier report is a
+/// repeated one.
 class RowAssembler {
  public:
-  /// What a report came to. The lost rows come before the row.
-  struct Taken {
+  /// The result of a report. The lost rows come before the row.
+  struct Received {
     std::uint32_t lost_rows = 0;
     bool has_row = false;  ///< row() is whole
     bool has_ended = false;
@@ -23,13 +23,14 @@ class RowAssembler {
   /// row_bytes: Limit: 1 to 65,532.
   RowAssembler(std::size_t row_bytes, std::uint32_t rows);
 
-  /// Takes any bytes. The lost and received rows are never more than the rows of the scan.
-  Taken take(const std::uint8_t* report, std::size_t count);
+  /// Adds a report of any bytes. The lost and received rows are never more than the rows of the
+  /// scan.
+  Received add(const std::uint8_t* report, std::size_t count);
 
-  /// Valid until the next take().
+  /// Valid until the next add().
   const std::uint8_t* row() const { return row_.data(); }
 
-  /// One key and value a line, for people and programs.
+  /// Prints one key and value per line.
   void report(std::ostream& out) const;
 
   std::uint64_t lost_reports() const { return lost_; }
@@ -37,8 +38,8 @@ class RowAssembler {
   std::uint64_t unreadable_reports() const { return unreadable_; }
 
  private:
-  Taken take_chunk(const Report& report);
-  Taken take_end(std::uint32_t rows);
+  Received add_chunk(const Report& report);
+  Received add_end(std::uint32_t rows);
   bool is_valid(const Report& report) const;
   std::uint64_t chunks() const {
     return (row_.size() + Report::payload_bytes - 1) / Report::payload_bytes;
@@ -46,7 +47,7 @@ class RowAssembler {
 
   std::vector<std::uint8_t> row_;
   std::uint32_t rows_;
-  std::uint32_t next_row_ = 0;       // the first that is not reported yet
+  std::uint32_t next_row_ = 0;       // the first that has not been reported
   std::uint64_t next_position_ = 0;  // of a report among those of all rows
   bool is_damaged_ = false;          // the next row lacks a report
   std::uint64_t reports_ = 0;

@@ -1,4 +1,4 @@
-// The surface stream cut into reports for the scanner.
+// Divides the surface stream into reports for the scanner.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class StreamReports {
     waiting_.insert(waiting_.end(), bytes, bytes + count);
   }
 
-  /// Gives every report that is full to send(Bytes), or the rest as well and the end.
+  /// Calls send(Bytes) with every full report; at the end also with the rest and the end.
   template <class Send>
   void send_full(Send send) {
     while (waiting_.size() >= Report::payload_bytes) send(part(Report::payload_bytes));

@@ -117,7 +117,7 @@ Selection selection_of(const Level& level) {
   return {level.low, level.high};
 }
 
-SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
+SweepAxes sweep_axes(const MeshOptions& options, const AxisOrder& order) {
   VolumePlacement all{Space::scanner, {}, {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     all.axes_mm[axis][axis] = options.spacing[axis];
@@ -140,12 +140,12 @@ SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
   const bool is_mirrored = determinant(swept.axes_mm) < 0;
   if (!options.placement && order == AxisOrder{0, 1, 2})
     return {options.spacing, std::nullopt, is_mirrored};
-  SweepPlace place{{}, swept, is_mirrored};
+  SweepAxes axes{{}, swept, is_mirrored};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::array<double, 3>& along = swept.axes_mm[axis];
-    place.spacing[axis] = std::hypot(along[0], along[1], along[2]);
+    axes.spacing[axis] = std::hypot(along[0], along[1], along[2]);
   }
-  return place;
+  return axes;
 }
 
 void check_options(const MeshOptions& options) {
@@ -165,8 +165,8 @@ void check_options(const MeshOptions& options) {
 }
 
 Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& options,
-                   const SweepPlace& place, double level, const OpenAgain& open_again) {
-  surface.spacing_mm = place.spacing;
+                   const SweepAxes& axes, double level, const OpenAgain& open_again) {
+  surface.spacing_mm = axes.spacing;
   if (options.relaxes)
     relax(*crossings, surface,
           {options.border, options.tolerance, [&options] { report(options, "smoothing", 0, 0); }});
@@ -178,7 +178,7 @@ Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& op
   if (decimation_of(options).is_wanted())
     decimate(faces, decimation_of(options), [&options] { report(options, "decimating", 0, 0); });
   add_normals(surface, faces, options, level, open_again);
-  if (place.placement) meshing::place(faces, *place.placement);
+  if (axes.placement) meshing::place(faces, *axes.placement);
 
   Mesh mesh;
   mesh.vertices = std::move(faces.vertices_mm);
@@ -186,7 +186,7 @@ Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& op
   mesh.triangles.resize(faces.face_count());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     std::copy_n(faces.face(i), 3, mesh.triangles[i].begin());
-  if (options.polygons) mesh.polygons = polygons_of(surface, mesh.vertices, place.is_mirrored);
+  if (options.polygons) mesh.polygons = polygons_of(surface, mesh.vertices, axes.is_mirrored);
   return mesh;
 }
 

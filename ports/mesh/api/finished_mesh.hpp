@@ -27,11 +27,11 @@ std::function<void(std::uint64_t)> reporter_here(const MeshOptions& options, con
 /// Returns the number of threads that the options request.
 unsigned threads_of(const MeshOptions& options);
 
-/// Whether vertices move to the places where samples cross the level.
+/// Whether vertices move to the positions where samples cross the level.
 bool is_interpolated(const MeshOptions& options);
 
-/// The position of a sweep's axes.
-struct SweepPlace {
+/// The axes of a sweep in the space of the mesh.
+struct SweepAxes {
   std::array<double, 3> spacing;
   std::optional<VolumePlacement> placement;  ///< nothing: along the coordinates
   bool is_mirrored;
@@ -41,7 +41,7 @@ struct SweepPlace {
 Selection selection_of(const Level& level);
 
 /// Throws std::invalid_argument if the axes span no space.
-SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order = {0, 1, 2});
+SweepAxes sweep_axes(const MeshOptions& options, const AxisOrder& order = {0, 1, 2});
 
 /// Throws std::invalid_argument for options that contradict each other.
 void check_options(const MeshOptions& options);
@@ -53,7 +53,7 @@ using OpenAgain = std::function<std::unique_ptr<SliceReader>()>;
 /// spacing. crossings: new positions of the vertices, before relaxation; null: vertices stay.
 /// level: for the gradient. open_again: may be empty without Normals::gradient.
 Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& options,
-                   const SweepPlace& place, double level, const OpenAgain& open_again = {});
+                   const SweepAxes& axes, double level, const OpenAgain& open_again = {});
 
 }  // namespace discmc::meshing
 

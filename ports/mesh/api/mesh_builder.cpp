@@ -22,7 +22,7 @@ using namespace meshing;
 class MeshBuilder::State {
  public:
   State(std::int64_t width, std::int64_t height, const Level& level, const MeshOptions& options)
-      : selection_(selection_of(level)), options_(options), place_(sweep_place(options)) {
+      : selection_(selection_of(level)), options_(options), axes_(sweep_axes(options)) {
     check_options(options);
     if (options.smoothing > 0 || options.normals == Normals::gradient)
       throw std::invalid_argument(
@@ -33,7 +33,7 @@ class MeshBuilder::State {
         throw std::invalid_argument("a slice has an extent of " + std::to_string(extent) +
                                     "; give 1 to " + std::to_string(max_across) + " voxels");
     grid_.dims = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 0};
-    grid_.spacing_mm = place_.spacing;
+    grid_.spacing_mm = axes_.spacing;
     bits_.resize(bit_row_bytes(grid_.dims[0]) * grid_.dims[1]);
     scan_.start({grid_.dims[0], grid_.dims[1], options.border}, make_sink(surface_),
                 make_region_receiver(surface_));
@@ -64,7 +64,7 @@ class MeshBuilder::State {
                          of_polygons  ? &*of_polygons
                          : crossings_ ? &crossings_->crossings()
                                       : nullptr,
-                         options_, place_, selection_.low);
+                         options_, axes_, selection_.low);
   }
 
  private:
@@ -76,7 +76,7 @@ class MeshBuilder::State {
 
   Selection selection_;
   MeshOptions options_;
-  SweepPlace place_;
+  SweepAxes axes_;
   SampleGrid grid_;
   std::vector<std::uint8_t> bits_;  // of the current slice
   std::optional<SliceSelector> selector_;

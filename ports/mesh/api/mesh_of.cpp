@@ -105,8 +105,8 @@ LabelOptions label_options(const SampleGrid& info, const MeshOptions& options,
 }
 
 void keep_volume(JoinedSurface& surface, CrossingFinder& crossings, const SampleGrid& info,
-                 const MeshOptions& options, const SweepPlace& place) {
-  surface.surface().spacing_mm = place.spacing;
+                 const MeshOptions& options, const SweepAxes& axes) {
+  surface.surface().spacing_mm = axes.spacing;
   VolumeKeeping keeping =
       SmoothedVolume::keeping(info, options.smoothing, options.tolerance, options.border);
   keeping.check = [&options] { report(options, "smoothing", 0, 0); };
@@ -124,8 +124,8 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
   if (options.smoothing > 0 && levels.size() > 1)
     throw std::invalid_argument("smoothing takes one level; extract each by itself");
   const AxisOrder order = axis_order(samples);
-  const SweepPlace place = sweep_place(options, order);
-  ArrayReader array(samples, order, place.spacing);
+  const SweepAxes axes = sweep_axes(options, order);
+  ArrayReader array(samples, order, axes.spacing);
   std::unique_ptr<SmoothedVolume> smoothed;
   if (options.smoothing > 0 && !selections.empty()) {
     smoothed = std::make_unique<SmoothedVolume>(array, selections[0], nullptr, options.smoothing);
@@ -152,16 +152,16 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
   std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     surfaces[i]->finish();
-    if (smoothed) keep_volume(*surfaces[i], *crossings[i], volume.info(), options, place);
+    if (smoothed) keep_volume(*surfaces[i], *crossings[i], volume.info(), options, axes);
     std::optional<Crossings> of_polygons;
     if (options.relaxes) of_polygons.emplace(volume.info().dims, surfaces[i]->surface().polygons);
-    meshes.push_back(finished_mesh(
-        surfaces[i]->surface(),
-        of_polygons         ? &*of_polygons
-        : crossings.empty() ? nullptr
-                            : &crossings[i]->crossings(),
-        options, place, selections[i].low,
-        [&] { return std::make_unique<ArrayReader>(samples, order, place.spacing); }));
+    meshes.push_back(
+        finished_mesh(surfaces[i]->surface(),
+                      of_polygons         ? &*of_polygons
+                      : crossings.empty() ? nullptr
+                                          : &crossings[i]->crossings(),
+                      options, axes, selections[i].low,
+                      [&] { return std::make_unique<ArrayReader>(samples, order, axes.spacing); }));
     surfaces[i].reset();  // frees memory for the next mesh
   }
   return meshes;
@@ -184,8 +184,8 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
         "labels cannot be combined with gradient normals or interpolation; use surface normals and "
         "smoothing");
   const AxisOrder order = axis_order(samples);
-  const SweepPlace place = sweep_place(options, order);
-  ArrayReader array(samples, order, place.spacing);
+  const SweepAxes axes = sweep_axes(options, order);
+  ArrayReader array(samples, order, axes.spacing);
   const LabelOptions wanted = label_options(array.info(), options, labels);
   std::vector<SmoothedLabel> smoothed;
   std::vector<LabelledSurface> found;
@@ -199,7 +199,7 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
   std::vector<LabelMesh> meshes;
   const auto add = [&](LabelledSurface& label, Crossings* crossings) {
     meshes.push_back({static_cast<std::int64_t>(label.label.bits()), label.voxels,
-                      finished_mesh(label.surface, crossings, options, place, 0)});
+                      finished_mesh(label.surface, crossings, options, axes, 0)});
   };
   for (SmoothedLabel& each : smoothed) add(each.surface, &each.crossings.crossings());
   for (LabelledSurface& each : found) add(each, nullptr);

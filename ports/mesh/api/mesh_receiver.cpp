@@ -70,15 +70,15 @@ class MeshReceiver::State {
   // A stream ends with a frame, which ends with a zero byte.
   std::size_t push(const std::uint8_t* bytes, std::size_t count) {
     if (has_ended_ && count > 0) begin();
-    std::size_t taken = 0;
-    while (taken < count && !has_ended_) {
-      const std::uint8_t* const zero = std::find(bytes + taken, bytes + count, 0);
+    std::size_t consumed = 0;
+    while (consumed < count && !has_ended_) {
+      const std::uint8_t* const zero = std::find(bytes + consumed, bytes + count, 0);
       const auto end = static_cast<std::size_t>(zero - bytes) + (zero == bytes + count ? 0 : 1);
-      scan_->push(bytes + taken, end - taken);
-      taken = end;
+      scan_->push(bytes + consumed, end - consumed);
+      consumed = end;
       has_ended_ = scan_->reader().report().has_trailer;
     }
-    return taken;
+    return consumed;
   }
   void finish() {
     if (!has_ended_) scan_->finish();
@@ -115,7 +115,7 @@ class MeshReceiver::State {
       crossings.emplace(reader().dims(), so_far.polygons);
       scan_->fractions().place(*crossings);
     }
-    return finished_mesh(so_far, crossings ? &*crossings : nullptr, options, sweep_place(options),
+    return finished_mesh(so_far, crossings ? &*crossings : nullptr, options, sweep_axes(options),
                          0);
   }
 

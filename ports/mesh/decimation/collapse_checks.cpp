@@ -108,11 +108,11 @@ bool is_simple_fan(const Collapse& collapse) {
   unsigned turns = 0;
   for (const Collapse::Moved& moved : collapse.moved) {
     if (!(dot(normal, doubled_area(moved.after)) > 0)) return false;
-    const std::size_t place = static_cast<std::size_t>(
+    const std::size_t corner = static_cast<std::size_t>(
         std::find(moved.numbers.begin(), moved.numbers.end(), collapse.kept) -
         moved.numbers.begin());
-    const Point from = difference(moved.after[(place + 1) % 3], collapse.at);
-    const Point to = difference(moved.after[(place + 2) % 3], collapse.at);
+    const Point from = difference(moved.after[(corner + 1) % 3], collapse.at);
+    const Point to = difference(moved.after[(corner + 2) % 3], collapse.at);
     turns += dot(side, from) < 0 && dot(side, to) >= 0;
   }
   return turns == 1;
@@ -141,12 +141,12 @@ bool keeps_apart(const Collapse& collapse, const CollapsingMesh& mesh, const Box
   moved.reserve(collapse.moved.size());
   Box all;
   for (const Collapse::Moved& each : collapse.moved) {
-    const std::size_t place = moved.size();
+    const std::size_t count = moved.size();
     moved.emplace_back(PlacedTriangle{each.numbers.data(), each.after});
-    for (std::size_t i = 0; !is_simple && i < place; ++i)
+    for (std::size_t i = 0; !is_simple && i < count; ++i)
       if (collide(moved[i], moved.back())) return false;
     const Box box(each.after);
-    boxes[place / 4].set(place % 4, box);
+    boxes[count / 4].set(count % 4, box);
     all.include(box);
     all.include(Box(each.before));
   }

@@ -31,9 +31,9 @@ void CollapsingMesh::classify_vertices() {
 CollapsingMesh::Kind CollapsingMesh::kind_of(std::uint32_t vertex,
                                              std::vector<Spoke>& spokes) const {
   spokes.clear();
-  for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t place) {
+  for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t corner) {
     spokes.push_back(
-        {triangles_[triangle][(place + 1) % 3], triangles_[triangle][(place + 2) % 3]});
+        {triangles_[triangle][(corner + 1) % 3], triangles_[triangle][(corner + 2) % 3]});
   });
   const auto leading_from = [&](std::uint32_t neighbour) {
     return std::find_if(spokes.begin(), spokes.end(),
@@ -86,7 +86,7 @@ void CollapsingMesh::describe(std::uint32_t kept, std::uint32_t gone, const Poin
   collapse.at = at;
   collapse.removed.clear();
   collapse.moved.clear();
-  const auto add = [&](std::uint32_t triangle, std::uint32_t place, std::uint32_t other) {
+  const auto add = [&](std::uint32_t triangle, std::uint32_t corner, std::uint32_t other) {
     const Triangle& of = triangles_[triangle];
     if (of[0] == other || of[1] == other || of[2] == other) {
       if (other == gone) collapse.removed.push_back(triangle);
@@ -94,12 +94,12 @@ void CollapsingMesh::describe(std::uint32_t kept, std::uint32_t gone, const Poin
     }
     Collapse::Moved moved{triangle, of, corners(triangle), {}};
     moved.after = moved.before;
-    moved.numbers[place] = kept;
-    moved.after[place] = at;
+    moved.numbers[corner] = kept;
+    moved.after[corner] = at;
     collapse.moved.push_back(moved);
   };
-  for_each_triangle(kept, [&](std::uint32_t t, std::uint32_t place) { add(t, place, gone); });
-  for_each_triangle(gone, [&](std::uint32_t t, std::uint32_t place) { add(t, place, kept); });
+  for_each_triangle(kept, [&](std::uint32_t t, std::uint32_t corner) { add(t, corner, gone); });
+  for_each_triangle(gone, [&](std::uint32_t t, std::uint32_t corner) { add(t, corner, kept); });
 }
 
 bool CollapsingMesh::keeps_topology(const Collapse& collapse) {
@@ -127,9 +127,9 @@ bool CollapsingMesh::keeps_topology(const Collapse& collapse) {
 
 void CollapsingMesh::carry_out(const Collapse& collapse) {
   for (const std::uint32_t triangle : collapse.removed) {
-    for (std::uint32_t place = 0; place < 3; ++place) {
-      const std::uint32_t vertex = triangles_[triangle][place];
-      if (vertex != collapse.kept && vertex != collapse.gone) unlink(vertex, 3 * triangle + place);
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t vertex = triangles_[triangle][corner];
+      if (vertex != collapse.kept && vertex != collapse.gone) unlink(vertex, 3 * triangle + corner);
     }
     triangles_[triangle][0] = none;
   }
@@ -140,10 +140,10 @@ void CollapsingMesh::carry_out(const Collapse& collapse) {
   first_corner_[collapse.gone] = first_corner_[collapse.kept] = none;
   for (const Collapse::Moved& moved : collapse.moved) {
     triangles_[moved.triangle] = moved.numbers;
-    const auto place = static_cast<std::uint32_t>(
+    const auto corner = static_cast<std::uint32_t>(
         std::find(moved.numbers.begin(), moved.numbers.end(), collapse.kept) -
         moved.numbers.begin());
-    link(collapse.kept, 3 * moved.triangle + place);
+    link(collapse.kept, 3 * moved.triangle + corner);
   }
 }
 

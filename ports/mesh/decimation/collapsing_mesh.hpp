@@ -55,7 +55,7 @@ class CollapsingMesh {
   /// Returns a number that is equal for vertices once connected by edges.
   std::uint32_t body(std::uint32_t vertex) const { return body_[vertex]; }
 
-  /// Calls `call` with each triangle of a vertex, and the vertex' place in the triangle.
+  /// Calls `call` with each triangle of a vertex, and the corner of the vertex there, 0 to 2.
   template <class Call>
   void for_each_triangle(std::uint32_t vertex, Call call) const {
     std::uint32_t corner = first_corner_[vertex];
@@ -68,9 +68,9 @@ class CollapsingMesh {
   /// Calls `call` once for each edge of a vertex, with the other end.
   template <class Call>
   void for_each_edge(std::uint32_t vertex, Call call) const {
-    for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t place) {
-      call(triangles_[triangle][(place + 1) % 3]);
-      const std::uint32_t before = triangles_[triangle][(place + 2) % 3];
+    for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t corner) {
+      call(triangles_[triangle][(corner + 1) % 3]);
+      const std::uint32_t before = triangles_[triangle][(corner + 2) % 3];
       if (is_border(vertex) && is_border(before) && count_triangles(vertex, before) == 1)
         call(before);
     });
@@ -104,7 +104,7 @@ class CollapsingMesh {
   std::vector<Point> points_;
   std::vector<Triangle> triangles_;  // removed if the first number is none
   std::size_t triangle_count_;
-  // The corners at a vertex form a linked ring. Corner 3 t + i is place i of triangle t.
+  // The corners at a vertex form a linked ring. Corner i of triangle t has the number 3 t + i.
   std::vector<std::uint32_t> first_corner_, next_corner_;
   std::vector<Kind> kind_;
   std::vector<std::uint32_t> body_;

@@ -21,20 +21,20 @@ const double ramp = std::sqrt(2.0);
 constexpr double min_part = 1e-6;  // of the extent of the mesh, without a spacing
 
 double min_spacing(const FaceMesh& mesh) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const double along : mesh.spacing_mm) least = std::min(least, std::fabs(along));
-  return least;
+  double min_mm = std::numeric_limits<double>::infinity();
+  for (const double along : mesh.spacing_mm) min_mm = std::min(min_mm, std::fabs(along));
+  return min_mm;
 }
 
 // Returns the extent of the mesh. A larger distance limits nothing.
 double extent(const std::vector<Point>& points) {
-  Point least = points[0], most = points[0];
+  Point low = points[0], high = points[0];
   for (const Point& point : points)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      least[axis] = std::min(least[axis], point[axis]);
-      most[axis] = std::max(most[axis], point[axis]);
+      low[axis] = std::min(low[axis], point[axis]);
+      high[axis] = std::max(high[axis], point[axis]);
     }
-  return 2 * std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
+  return 2 * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
 struct SharedTriangles {
@@ -106,9 +106,9 @@ DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
 // Returns the centre of the voxel cell around a point, within the original lattice, where the
 // samples have a gradient.
 Vertex cell_centre(const Point& point, const Point& spacing, const std::array<Vertex, 2>& lattice) {
-  const auto centre = [&](std::size_t axis, std::int32_t least, std::int32_t most) {
+  const auto centre = [&](std::size_t axis, std::int32_t low, std::int32_t high) {
     const auto cell = static_cast<std::int32_t>(std::floor(point[axis] / spacing[axis]));
-    return std::max(least | 1, std::min(2 * cell + 1, (most - 1) | 1));
+    return std::max(low | 1, std::min(2 * cell + 1, (high - 1) | 1));
   };
   return {centre(0, lattice[0].x, lattice[1].x), centre(1, lattice[0].y, lattice[1].y),
           centre(2, lattice[0].z, lattice[1].z)};

@@ -72,10 +72,10 @@ void DecimationStep::add_edges(std::uint32_t vertex) {
 
 void DecimationStep::add(std::uint32_t a, std::uint32_t b) {
   if (mesh_.is_fixed(a) || mesh_.is_fixed(b) || !is_in_block(a, b)) return;
-  const auto place = placing_.place(std::min(a, b), std::max(a, b));
-  if (!place) return refuse(a, b);
+  const auto placed = placing_.placed(std::min(a, b), std::max(a, b));
+  if (!placed) return refuse(a, b);
   const std::uint32_t low = std::min(a, b), high = std::max(a, b);
-  heap_.push_back({place->cost, low, high, changes_[low], changes_[high]});
+  heap_.push_back({placed->cost, low, high, changes_[low], changes_[high]});
   std::push_heap(heap_.begin(), heap_.end());
 }
 
@@ -95,15 +95,15 @@ void DecimationStep::collapse_queued() {
     Entry entry = heap_.back();
     heap_.pop_back();
     if (!is_current(entry)) continue;
-    const std::optional<EdgePlacing::PlacedVertex> place = placing_.place(entry.low, entry.high);
-    if (place && place->cost > entry.cost * rounding) {
-      entry.cost = place->cost;
+    const std::optional<EdgePlacing::PlacedVertex> placed = placing_.placed(entry.low, entry.high);
+    if (placed && placed->cost > entry.cost * rounding) {
+      entry.cost = placed->cost;
       heap_.push_back(entry);
       std::push_heap(heap_.begin(), heap_.end());
       continue;
     }
-    if (place) mesh_.describe(entry.low, entry.high, place->at, collapse_);
-    if (place && is_allowed())
+    if (placed) mesh_.describe(entry.low, entry.high, placed->at, collapse_);
+    if (placed && is_allowed())
       carry_out();
     else
       refuse(entry.low, entry.high);

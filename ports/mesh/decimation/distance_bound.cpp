@@ -55,10 +55,10 @@ bool OriginalSurface::is_near(const Collapse& collapse, double distance) const {
   for (const Collapse::Moved& moved : collapse.moved) {
     if (!is_near(centroid(moved.after), distance)) return false;
     // The next triangle shares the other of its two edges at the vertex.
-    const std::size_t place = static_cast<std::size_t>(
+    const std::size_t corner = static_cast<std::size_t>(
         std::find(moved.numbers.begin(), moved.numbers.end(), collapse.kept) -
         moved.numbers.begin());
-    if (!is_near(mean(collapse.at, moved.after[(place + 1) % 3]), distance)) return false;
+    if (!is_near(mean(collapse.at, moved.after[(corner + 1) % 3]), distance)) return false;
   }
   return true;
 }
@@ -80,16 +80,16 @@ bool LeftPoints::are_near(const Collapse& collapse, const std::vector<Point>& po
   for (std::size_t i = 0; i < collected_.size(); ++i) {
     Collected& each = collected_[i];
     const Point& point = points[each.point];
-    const auto squared_from = [&](std::uint32_t place) {
-      return squared_distance(point, collapse.moved[place].after);
+    const auto squared_from = [&](std::uint32_t triangle) {
+      return squared_distance(point, collapse.moved[triangle].after);
     };
     double nearest = squared_from(each.owner);
     if (i < owned && nearest <= distance * distance) continue;
-    for (std::uint32_t place = 0; place < collapse.moved.size(); ++place) {
-      const double squared = squared_from(place);
+    for (std::uint32_t triangle = 0; triangle < collapse.moved.size(); ++triangle) {
+      const double squared = squared_from(triangle);
       if (squared >= nearest) continue;
       nearest = squared;
-      each.owner = place;
+      each.owner = triangle;
     }
     if (nearest > distance * distance) return false;
   }

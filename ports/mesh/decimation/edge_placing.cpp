@@ -9,9 +9,9 @@ namespace {
 using Symmetric = std::array<double, 6>;
 
 void add_square(Symmetric& to, const Point& v, double weight) {
-  std::size_t place = 0;
+  std::size_t index = 0;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i; j < 3; ++j) to[place++] += weight * v[i] * v[j];
+    for (std::size_t j = i; j < 3; ++j) to[index++] += weight * v[i] * v[j];
 }
 
 Point product(const Symmetric& a, const Point& x) {
@@ -72,10 +72,10 @@ void EdgePlacing::update(std::uint32_t vertex) {
 
 // Adds planes through the border edges, perpendicular to their triangles.
 void EdgePlacing::add_border(std::uint32_t vertex, Sums& sums) const {
-  mesh_.for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t place) {
+  mesh_.for_each_triangle(vertex, [&](std::uint32_t triangle, std::uint32_t corner) {
     const Point area = doubled_area(mesh_.corners(triangle));
     for (const std::uint32_t step : {1U, 2U}) {
-      const std::uint32_t other = mesh_.triangle(triangle)[(place + step) % 3];
+      const std::uint32_t other = mesh_.triangle(triangle)[(corner + step) % 3];
       if (!mesh_.is_border(other) || mesh_.count_triangles(vertex, other) != 1) continue;
       const Point edge = difference(mesh_.point(other), mesh_.point(vertex));
       const Point across = cross(area, edge);
@@ -85,8 +85,8 @@ void EdgePlacing::add_border(std::uint32_t vertex, Sums& sums) const {
   });
 }
 
-std::optional<EdgePlacing::PlacedVertex> EdgePlacing::place(std::uint32_t a,
-                                                            std::uint32_t b) const {
+std::optional<EdgePlacing::PlacedVertex> EdgePlacing::placed(std::uint32_t a,
+                                                             std::uint32_t b) const {
   const Point middle = plus(mesh_.point(a), difference(mesh_.point(b), mesh_.point(a)), 0.5);
   const Point to_a = difference(mesh_.point(a), middle), to_b = difference(mesh_.point(b), middle);
   const double squared_length = 4 * dot(to_a, to_a);

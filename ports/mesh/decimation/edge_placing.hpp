@@ -26,7 +26,7 @@ class EdgePlacing {
   /// Returns nothing if only a position far from the edge would keep the volume. An edge with one
   /// end on a border collapses to that end. A border edge collapses to one of its ends, so a plane
   /// border stays plane.
-  std::optional<PlacedVertex> place(std::uint32_t a, std::uint32_t b) const;
+  std::optional<PlacedVertex> placed(std::uint32_t a, std::uint32_t b) const;
 
   /// Updates a vertex after its triangles have changed.
   void update(std::uint32_t vertex);

@@ -104,8 +104,8 @@ class Samples {
 /// The values inside a surface: from low to high, both included. A sample that is not a number is
 /// outside.
 struct Level {
-  Level(double least) : low(least) {}
-  Level(double least, double greatest) : low(least), high(greatest) {}
+  Level(double lowest) : low(lowest) {}
+  Level(double lowest, double highest) : low(lowest), high(highest) {}
 
   double low;
   double high = std::numeric_limits<double>::infinity();
@@ -129,7 +129,7 @@ struct MeshOptions {
   /// Distances between voxels along x, y and z, in any unit, which is that of the mesh. Negative if
   /// the axis runs backwards. Limit: 1e-6 to 1e6.
   std::array<double, 3> spacing{1, 1, 1};
-  /// The place of the volume, instead of the spacing. Row r of the centre of voxel (i, j, k) is
+  /// The placement of the volume, instead of the spacing. Row r of the centre of voxel (i, j, k) is
   /// column 3 plus i, j, k times columns 0 to 2.
   std::optional<std::array<std::array<double, 4>, 3>> placement{};
   /// closed: everything outside the array is outside the surface. open: the surface ends there.
@@ -220,7 +220,7 @@ struct LabelMesh {
                                                   const MeshOptions& options = {},
                                                   const std::vector<std::int64_t>& labels = {});
 
-/// Sizes of a mesh. Units: as the vertices, squared and cubed.
+/// Measures of a mesh. Units: as the vertices, squared and cubed.
 struct MeshMeasures {
   double area = 0;  ///< with the walls of cavities
   std::array<double, 3> least{}, greatest{};

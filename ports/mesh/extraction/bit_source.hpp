@@ -23,7 +23,7 @@ class BitSource {
  public:
   /// limits: with the slab of the spans.
   BitSource(const SampleGrid& info, const Limits& limits, const SlabSpans& spans,
-            bool takes_majority, const std::vector<SurfaceRequest>& surfaces)
+            bool filters_by_majority, const std::vector<SurfaceRequest>& surfaces)
       : spans_(spans),
         slice_(spans.read.first),
         row_(std::uint64_t{spans.read.first} * limits.height),
@@ -37,7 +37,7 @@ class BitSource {
       full_row_.back() = static_cast<std::uint8_t>((1U << limits.width % 8) - 1);
     for (const SurfaceRequest& surface : surfaces) {
       selectors_.emplace_back(info, surface.selection);
-      if (takes_majority) filters_.push_back(std::make_unique<OwnFilter>(limits));
+      if (filters_by_majority) filters_.push_back(std::make_unique<OwnFilter>(limits));
     }
   }
 

@@ -78,7 +78,7 @@ class Extractors {
     start(info, limits, surfaces);
     SurfaceGroup<AnyExtractor> group{extractors_.data(),
                                      static_cast<std::uint32_t>(extractors_.size()), limits.width};
-    BitSource bits(info, limits, spans, options.takes_majority, surfaces);
+    BitSource bits(info, limits, spans, options.filters_by_majority, surfaces);
     const auto push_bits = [&](const std::uint8_t* row) {
       if constexpr (!holds_samples<AnyExtractor>) require(group.push_bits(row).status);
       if (options.slices != nullptr) require(options.slices->push_bits(row).status);
@@ -113,9 +113,9 @@ class Extractors {
         arena_.capacities.slots < host::Chains::min_slots)
       return false;
     return std::all_of(extractors_.begin(), extractors_.end(), [this](const AnyExtractor& each) {
-      const Peaks most = each.peaks();
-      return most.slots + reserve <= arena_.capacities.slots &&
-             most.holes < arena_.capacities.holes;
+      const Peaks peaks = each.peaks();
+      return peaks.slots + reserve <= arena_.capacities.slots &&
+             peaks.holes < arena_.capacities.holes;
     });
   }
 
@@ -173,7 +173,7 @@ std::vector<Extraction> extract_by(SliceReader& volume, const Limits& limits,
                                    const std::vector<SurfaceRequest>& surfaces) {
   const SampleGrid& info = volume.info();
   const SlabSpans spans =
-      slab_spans(slices_of(options.slab, info.dims[2]), info.dims[2], options.takes_majority);
+      slab_spans(slices_of(options.slab, info.dims[2]), info.dims[2], options.filters_by_majority);
   std::optional<MaskBits> mask;
   if (options.mask != nullptr) mask.emplace(*options.mask);
   for (std::uint32_t z = 0; z < spans.read.first; ++z) {

@@ -28,8 +28,8 @@ void set_bits(std::uint8_t* row, std::uint32_t begin, std::uint32_t end) {
 // Sends rows to a scan, through a filter if there is one.
 class RowSender {
  public:
-  RowSender(const Limits& limits, bool takes_majority, HostScan& scan) : scan_(scan) {
-    if (takes_majority) filter_.emplace(limits);
+  RowSender(const Limits& limits, bool filters_by_majority, HostScan& scan) : scan_(scan) {
+    if (filters_by_majority) filter_.emplace(limits);
   }
 
   void push(const std::uint8_t* row) {
@@ -49,7 +49,7 @@ class RowSender {
 }  // namespace
 
 void LabelRun::add(std::uint32_t y, std::uint32_t begin, std::uint32_t end) {
-  const auto narrow = [](std::uint32_t place) { return static_cast<std::uint16_t>(place); };
+  const auto narrow = [](std::uint32_t number) { return static_cast<std::uint16_t>(number); };
   stretches_.push_back({slice_, narrow(y), narrow(begin), narrow(end)});
   has_voxels_ = true;
 }
@@ -60,11 +60,11 @@ void LabelRun::end_slice() {
   ++slice_;
 }
 
-void LabelRun::extract(const Limits& limits, bool takes_majority, HostScan& scan,
+void LabelRun::extract(const Limits& limits, bool filters_by_majority, HostScan& scan,
                        JoinedSurface& surface) const {
   // The surface ends before the faces of the box, except those in faces of the volume. A filter may
   // add voxels beside those of the label.
-  const std::uint32_t margin = takes_majority ? 2 : 1;
+  const std::uint32_t margin = filters_by_majority ? 2 : 1;
   std::array<std::uint32_t, 3> low{limits.width, limits.height, first_}, high{};
   for (const Stretch& each : stretches_) {
     low = {std::min<std::uint32_t>(low[0], each.begin), std::min<std::uint32_t>(low[1], each.y),
@@ -81,7 +81,7 @@ void LabelRun::extract(const Limits& limits, bool takes_majority, HostScan& scan
   const Limits of_box{high[0] - low[0], high[1] - low[1], limits.border};
   MovedSurface moved(surface, low);
   scan.start(of_box, make_sink(moved), make_region_receiver(moved));
-  RowSender rows(of_box, takes_majority, scan);
+  RowSender rows(of_box, filters_by_majority, scan);
   const std::size_t row_bytes = bit_row_bytes(of_box.width);
   std::vector<std::uint8_t> bits(row_bytes * of_box.height);
   auto next = stretches_.begin();

@@ -30,9 +30,9 @@ class LabelRun {
   /// Whether no later slice can change the surface, with or without a filter.
   bool is_over() const { return slices_without_voxels_ == 2; }
 
-  /// Extracts the surface of all voxels. limits: of the volume. takes_majority: whether the bits
-  /// pass a MajorityFilter. scan: may be reused.
-  void extract(const Limits& limits, bool takes_majority, HostScan& scan,
+  /// Extracts the surface of all voxels. limits: of the volume. filters_by_majority: whether the
+  /// bits pass a MajorityFilter. scan: may be reused.
+  void extract(const Limits& limits, bool filters_by_majority, HostScan& scan,
                JoinedSurface& surface) const;
 
  private:

@@ -77,7 +77,7 @@ class LabelScan {
 
   void end_run(Label& label) {
     JoinedSurface surface;
-    label.run->extract(limits_, options_.takes_majority, scan_, surface);
+    label.run->extract(limits_, options_.filters_by_majority, scan_, surface);
     label.run.reset();
     Polygons& found = surface.surface().polygons;
     if (label.polygons.empty()) {
@@ -93,10 +93,10 @@ class LabelScan {
     if (has_last_ && sample == last_sample_) return last_label_;
     has_last_ = true;
     last_sample_ = sample;
-    return last_label_ = options_.takes(sample) ? taken(sample) : nullptr;
+    return last_label_ = options_.selects(sample) ? added_label(sample) : nullptr;
   }
 
-  Label* taken(Sample sample) {
+  Label* added_label(Sample sample) {
     Label*& label = by_sample_[sample];
     if (label != nullptr) return label;
     if (labels_.size() == max_labels) refuse_values(slice_, max_labels);
@@ -121,8 +121,8 @@ class LabelScan {
 
 }  // namespace
 
-void refuse_values(std::uint32_t slice, std::uint32_t most) {
-  throw std::invalid_argument("more than " + std::to_string(most) + " values up to slice " +
+void refuse_values(std::uint32_t slice, std::uint32_t max_values) {
+  throw std::invalid_argument("more than " + std::to_string(max_values) + " values up to slice " +
                               std::to_string(slice) +
                               ": the values are samples, not labels; give a threshold or a range");
 }

@@ -19,7 +19,7 @@ namespace discmc::meshing {
 struct LabelOptions {
   Border border = Border::closed;
   /// Whether the bits of every label pass a MajorityFilter first.
-  bool takes_majority = false;
+  bool filters_by_majority = false;
   /// The labels to extract. Default: all except 0.
   std::optional<std::set<LabelValue>> chosen{};
   /// Called after every slice with the number of slices done.
@@ -27,7 +27,7 @@ struct LabelOptions {
   /// This many threads smooth labels, one each. The surfaces are the same.
   unsigned jobs = 1;
 
-  bool takes(LabelValue value) const {
+  bool selects(LabelValue value) const {
     return value != LabelValue(0) && (!chosen || chosen->count(value) > 0);
   }
 };
@@ -45,8 +45,8 @@ constexpr std::uint32_t max_labels = 65536;
 /// values only by chance, so the volume holds no labels, and its surfaces would be noise.
 constexpr std::uint32_t max_scattered_labels = 1024;
 
-/// Throws std::invalid_argument for a volume with more than `most` values up to a slice.
-[[noreturn]] void refuse_values(std::uint32_t slice, std::uint32_t most);
+/// Throws std::invalid_argument for a volume with more than `max_values` values up to a slice.
+[[noreturn]] void refuse_values(std::uint32_t slice, std::uint32_t max_values);
 
 /// Distinguishes labels from samples by the positions of their values in the slices.
 class ValueScatter {

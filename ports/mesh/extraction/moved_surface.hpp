@@ -9,7 +9,7 @@
 
 namespace discmc::meshing {
 
-/// Moves the events and regions of a box to its place in the volume.
+/// Moves the events and regions of a box to its position in the volume.
 class MovedSurface {
  public:
   /// surface: Owner: the caller. first: the box's first voxel in the volume.
@@ -27,7 +27,7 @@ class MovedSurface {
     return surface_.accept_region(moved);
   }
 
-  /// Returns the vector from the box to its place.
+  /// Returns the vector from the box to its position.
   const Vertex& by() const { return by_; }
 
  private:

@@ -20,8 +20,8 @@ class NarrowedVolume final : public SliceReader {
       using Sample = decltype(type);
       const Sample low = selected_samples<Sample>(info_, {iso}).low;
       const auto zero = static_cast<double>(low);
-      const double most = std::max(bounds.greatest - zero, zero - bounds.least);
-      const double scale = most > 0 ? greatest / most : 1;
+      const double max_deviation = std::max(bounds.greatest - zero, zero - bounds.least);
+      const double scale = max_deviation > 0 ? greatest / max_deviation : 1;
       narrow_ = [low, zero, scale](const void* wide, std::int16_t* narrow, std::size_t count) {
         const auto* sample = static_cast<const Sample*>(wide);
         for (std::size_t i = 0; i < count; ++i)

@@ -194,7 +194,7 @@ using PartExtractors = Extractors<HostExtractor>;
 // Extractors that are free for the next part.
 class IdleExtractors {
  public:
-  std::unique_ptr<PartExtractors> take() {
+  std::unique_ptr<PartExtractors> acquire() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (idle_.empty()) return nullptr;
     std::unique_ptr<PartExtractors> extractors = std::move(idle_.back());
@@ -229,7 +229,7 @@ class PartExtraction {
     run_in_order<Part>(
         *options_.jobs, spans_.size(), [this](std::size_t i, Part& part) { read(i, part); },
         [this](std::size_t, Part& part) { work_on(part); },
-        [this](std::size_t, Part& part) { take(part); });
+        [this](std::size_t, Part& part) { deliver(part); });
     for (std::size_t i = 0; i < requests_.size(); ++i) finish(*joiners_[i], sums_[i].statistics);
     return sums_;
   }
@@ -237,14 +237,14 @@ class PartExtraction {
  private:
   void read(std::size_t number, Part& part) {
     const SliceSpan own = spans_[number];
-    part.spans = slab_spans(own, info_.dims[2], options_.takes_majority);
+    part.spans = slab_spans(own, info_.dims[2], options_.filters_by_majority);
     reader_.read(part);
   }
 
   // With little memory, some pieces are sent loose although they cross no seam. They would have to
   // be joined before the whole regions.
   void work_on(Part& part) {
-    std::unique_ptr<PartExtractors> extractors = idle_.take();
+    std::unique_ptr<PartExtractors> extractors = idle_.acquire();
     if (!extractors) extractors = new_extractors(first_arena_bytes());
     for (;;) {
       extract(part, *extractors);
@@ -279,7 +279,7 @@ class PartExtraction {
     });
   }
 
-  void take(Part& part) {
+  void deliver(Part& part) {
     for (std::size_t i = 0; i < requests_.size(); ++i)
       part.surfaces[i].pass_on(requests_[i], *joiners_[i]);
     part.surfaces.clear();

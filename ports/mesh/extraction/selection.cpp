@@ -41,9 +41,9 @@ SampleRange<Sample> selected_as_stored(const Selection& selection) {
   const double low = std::ceil(selection.low);
   const double high = std::floor(selection.high);
   const double beyond = std::ldexp(1, Limits::digits);
-  const double least = std::is_signed_v<Sample> ? -beyond : 0;
-  if (!(low < beyond) || !(high >= least)) return none<Sample>();
-  return {low > least ? static_cast<Sample>(low) : Limits::min(),
+  const double lowest = std::is_signed_v<Sample> ? -beyond : 0;
+  if (!(low < beyond) || !(high >= lowest)) return none<Sample>();
+  return {low > lowest ? static_cast<Sample>(low) : Limits::min(),
           high < beyond ? static_cast<Sample>(high) : Limits::max()};
 }
 
@@ -54,15 +54,16 @@ SampleRange<Sample> selected_whole(const SampleGrid& info, const Selection& sele
   const auto value = [&](Sample stored) {
     return info.slope * static_cast<double>(stored) + info.intercept;
   };
-  const double least = lowered_by_rounding(info, selection.low);
-  const double most = -lowered_by_rounding(info, -selection.high);
-  if (!(value(Limits::max()) >= least) || !(value(Limits::min()) <= most)) return none<Sample>();
+  const double lowest = lowered_by_rounding(info, selection.low);
+  const double highest = -lowered_by_rounding(info, -selection.high);
+  if (!(value(Limits::max()) >= lowest) || !(value(Limits::min()) <= highest))
+    return none<Sample>();
   SampleRange<Sample> range{};
-  range.low = first_sample<Sample>([&](Sample stored) { return value(stored) >= least; });
+  range.low = first_sample<Sample>([&](Sample stored) { return value(stored) >= lowest; });
   range.high = Limits::max();
-  if (value(range.high) > most)
+  if (value(range.high) > highest)
     range.high = static_cast<Sample>(
-        first_sample<Sample>([&](Sample stored) { return value(stored) > most; }) - 1);
+        first_sample<Sample>([&](Sample stored) { return value(stored) > highest; }) - 1);
   return range;
 }
 

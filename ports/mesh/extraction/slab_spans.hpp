@@ -35,9 +35,9 @@ inline SliceSpan slices_of(const std::optional<SlabRange>& slab, std::uint32_t d
 }
 
 /// own: the slices of the slab. depth: of the volume.
-inline SlabSpans slab_spans(const SliceSpan& own, std::uint32_t depth, bool takes_majority) {
+inline SlabSpans slab_spans(const SliceSpan& own, std::uint32_t depth, bool filters_by_majority) {
   const SliceSpan given = own.widened(1, depth);
-  return {own, given, given.widened(takes_majority ? 1 : 0, depth)};
+  return {own, given, given.widened(filters_by_majority ? 1 : 0, depth)};
 }
 
 /// Returns the slab in the form of the extractor. depth: of the volume.

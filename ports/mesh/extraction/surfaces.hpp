@@ -25,7 +25,7 @@ struct SurfaceOptions {
   /// Called after every slice with the number of slices done.
   std::function<void(std::uint32_t)> progress;
   /// Whether bits pass a MajorityFilter first.
-  bool takes_majority = false;
+  bool filters_by_majority = false;
   /// Also receives the bits, and is finished, if not null. Its output must accept everything.
   SliceEncoder* slices = nullptr;
   /// The mask, read in parallel, or null: a voxel is off if the mask is 0. Limit: u8, the extents

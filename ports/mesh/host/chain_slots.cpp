@@ -18,7 +18,7 @@ bool is_centroid(const Vertex& v) {
   return (v.x & v.y & 1) != 0;
 }
 
-// The voxels before this one have been visited.
+// The position of the sweep: voxels before this one have been visited.
 struct Front {
   int32_t x, y, z;
 
@@ -55,12 +55,12 @@ class Sides {
   Direction direction(Link link) const { return direction_of(last_.incidence(), link); }
   void add_side(Direction direction, uint32_t length) {
     while (length > 0) {
-      const uint32_t most = detail::trace::max_short_length;
-      const uint32_t taken = length < most ? length : most;
+      const uint32_t max_length = detail::trace::max_short_length;
+      const uint32_t part = length < max_length ? length : max_length;
       Lists::Entry entry;
-      entry.run = detail::trace::short_run(direction, taken);
+      entry.run = detail::trace::short_run(direction, part);
       Lists::append(slots_, list_, entry);
-      length -= taken;
+      length -= part;
     }
   }
   void add(CornerCode corner) {
@@ -69,7 +69,7 @@ class Sides {
   }
   void add(const Node& node) {
     uint64_t corners[3];
-    const uint64_t* const end = node.add_corners(corners);
+    const uint64_t* const end = node.append_corners(corners);
     for (const uint64_t* corner = corners; corner != end; ++corner) add(CornerCode(*corner));
   }
 
@@ -104,7 +104,7 @@ void Chains::put_out_ring(Fragments& fragments) const {
   const Node* const node = nodes(fragments.slots());
   uint32_t first = ring_;
   uint64_t corners[3];
-  while (node[first].add_corners(corners) == corners) first = node[first].next;
+  while (node[first].append_corners(corners) == corners) first = node[first].next;
   const CornerCode start(corners[0]);
   Sides sides(fragments.slots(), start);
   uint32_t at = first;

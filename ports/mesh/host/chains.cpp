@@ -23,18 +23,18 @@ void for_each_queue(Visit visit) {
 
 bool Chains::start(Slots& slots) {
   min_free_seats_ = complete_ = joins_ = next_join_ = 0;
-  if (slots.available() < room_.slots()) return false;
+  if (slots.available() < capacities_.slots()) return false;
   (void)new_area(slots, 1);
-  uint32_t seat = new_area(slots, room_.seat_slots()).first * seats_per_slot;
+  uint32_t seat = new_area(slots, capacities_.seat_slots()).first * seats_per_slot;
   for_each_queue([&](uint32_t queue) {
     next_in_seat_[queue] = next_out_seat_[queue] = first_seat_[queue] = seat;
-    end_seat_[queue] = seat += is_at_seam(queue) ? room_.seats_at_seam : room_.seats;
+    end_seat_[queue] = seat += is_at_seam(queue) ? capacities_.seats_at_seam : capacities_.seats;
   });
-  DISCMC_LIMIT(seat == seats_per_slot * (1 + room_.seat_slots()));
-  area_[0] = new_area(slots, room_.nodes);
+  DISCMC_LIMIT(seat == seats_per_slot * (1 + capacities_.seat_slots()));
+  area_[0] = new_area(slots, capacities_.nodes);
   area_[1] = {};
   top_ = area_[0].first;
-  end_ = top_ + room_.nodes;
+  end_ = top_ + capacities_.nodes;
   return true;
 }
 
@@ -48,7 +48,7 @@ void Chains::release(Slots& slots, const Area& area) {
   for (uint32_t i = 0; i < area.slots; ++i) slots.release(area.first + 1 + i);
 }
 
-bool Chains::make_room(Slots& slots) {
+bool Chains::compact(Slots& slots) {
   DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
   if (!grow_queues(slots) || !ensure_spare_area(slots, area_[0].slots)) return false;
   copy_open(slots);
@@ -136,7 +136,8 @@ void Chains::find_min_free_seats() {
   min_free_seats_ = min_free;
 }
 
-// Moves what waits in a queue to its first seats, or to twice as many elsewhere if there are slots.
+// Moves the waiting nodes of a queue to its first seats, or to twice as many seats elsewhere if
+// there are slots.
 void Chains::grow_queue(Slots& slots, uint32_t queue) {
   uint32_t* const seat = seats(slots);
   const uint32_t waiting = back(queue) - front(queue);
@@ -172,7 +173,7 @@ void Chains::release_all(Slots& slots) {
 
 namespace {
 
-// All bits or none.
+// Returns all bits if the number is zero, otherwise none.
 DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
   return 0 - static_cast<uint32_t>(number == 0);
 }
@@ -220,10 +221,10 @@ bool Chains::find_ring(Slots& slots) {
     const uint32_t join = join_[next_join_++];
     uint32_t at = join;
     uint64_t* corner = corner_;
-    uint32_t steps = room_.short_walk;
+    uint32_t steps = capacities_.short_walk;
     do {
       DISCMC_LIMIT(corner <= corner_ + max_corners);
-      corner = node[at].add_corners(corner);
+      corner = node[at].append_corners(corner);
       at = node[at].next;
     } while (at < join && --steps != 0);
     // A newer node: the chain is open. Only a newer shortcut may lead back.
@@ -231,8 +232,8 @@ bool Chains::find_ring(Slots& slots) {
     ring_ = join;
     if (at != join) {
       if (!comes_back(slots, at)) continue;
-      for (at = join, corner = corner_; corner < corner_ + room_.corners;) {
-        corner = node[at].add_corners(corner);
+      for (at = join, corner = corner_; corner < corner_ + capacities_.corners;) {
+        corner = node[at].append_corners(corner);
         at = node[at].next;
         if (at == join) break;
       }
@@ -245,8 +246,8 @@ bool Chains::find_ring(Slots& slots) {
   return false;
 }
 
-// Whether the chain returns to the join of ring_. at: where the short walk stopped. If it does not,
-// adds a shortcut to the last node reached.
+// Whether the chain returns to the join of ring_. at: the node at which the short walk stopped. If
+// the chain does not return, adds a shortcut to the last node reached.
 DISCMC_NOINLINE bool Chains::comes_back(Slots& slots, uint32_t at) {
   Node* const node = nodes(slots);
   uint32_t last = at;

@@ -31,7 +31,7 @@
 namespace discmc::host {
 
 /// The initial sizes of the area of nodes and of queues, and the limits of a ring's walk.
-struct ChainRoom {
+struct ChainCapacities {
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
   // A pass is a node. It may be a join, which may leave a shortcut.
   static constexpr uint32_t max_joins = FoundPasses::max_passes;
@@ -57,8 +57,10 @@ struct ChainRoom {
   uint32_t corners = max_corners;
   uint32_t short_walk = 64;
 
-  /// The room that one batch of edges needs. Tests use it, so that everything grows soon.
-  static constexpr ChainRoom least() { return {max_new, Edges::max_edges, max_across, 1, 1}; }
+  /// The capacities that one batch of edges needs. With them, tests soon make everything grow.
+  static constexpr ChainCapacities minimum() {
+    return {max_new, Edges::max_edges, max_across, 1, 1};
+  }
 
   constexpr uint32_t seat_slots() const {
     return 2 * ((queues_each - 1) * seats + seats_at_seam) / seats_per_slot;
@@ -74,22 +76,23 @@ class Chains {
   using Fragments = detail::trace::Fragments<uint32_t, NoNormal>;
   using Slots = Fragments::Slots;
 
-  static constexpr uint32_t max_corners = ChainRoom::max_corners;
-  static constexpr uint32_t min_slots = ChainRoom{}.slots();
-  static_assert(ChainRoom{}.seats >= 2 * Edges::max_edges &&
-                    ChainRoom{}.seats_at_seam >= 2 * ChainRoom::max_across,
+  static constexpr uint32_t max_corners = ChainCapacities::max_corners;
+  static constexpr uint32_t min_slots = ChainCapacities{}.slots();
+  static_assert(ChainCapacities{}.seats >= 2 * Edges::max_edges &&
+                    ChainCapacities{}.seats_at_seam >= 2 * ChainCapacities::max_across,
                 "half of the seats have room for a batch");
-  static_assert(ChainRoom{}.nodes >= ChainRoom::max_new, "the nodes have room for a batch");
-  static_assert(2 * ChainRoom{}.short_walk <= max_corners, "a node has two corners at most");
+  static_assert(ChainCapacities{}.nodes >= ChainCapacities::max_new,
+                "the nodes have room for a batch");
+  static_assert(2 * ChainCapacities{}.short_walk <= max_corners, "a node has two corners at most");
 
-  /// Sets the room for the next start. Limit: at least ChainRoom::least(), and at most max_corners
-  /// corners and half as many nodes of a walk.
-  void set_room(const ChainRoom& room) {
-    DISCMC_LIMIT(room.short_walk >= 1 && 2 * room.short_walk <= max_corners);
-    DISCMC_LIMIT(room.corners <= max_corners);
-    room_ = room;
+  /// Sets the capacities of the next start. Limit: at least ChainCapacities::minimum(), and at most
+  /// max_corners corners and half as many nodes of a walk.
+  void set_capacities(const ChainCapacities& capacities) {
+    DISCMC_LIMIT(capacities.short_walk >= 1 && 2 * capacities.short_walk <= max_corners);
+    DISCMC_LIMIT(capacities.corners <= max_corners);
+    capacities_ = capacities;
   }
-  /// Begins with cleared slots. Returns false if they are fewer than the slots of the room.
+  /// Begins with cleared slots. Returns false if there are too few for the capacities.
   bool start(Slots& slots);
 
   /// Whether there is room for the passes of max_edges without copying nodes. Limit, here and
@@ -98,9 +101,9 @@ class Chains {
     DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
     return (has_free_seats() || grow_queues(slots)) && has_room_for(slots, 0);
   }
-  /// Makes room. Returns false if too many slots would be in use; then call hand_over(). Limit: no
-  /// fragment is complete. Cost: copies all open fragments.
-  bool make_room(Slots& slots);
+  /// Makes room for the passes of max_edges. Returns false if too many slots would be in use; then
+  /// call hand_over(). Limit: no fragment is complete. Cost: copies all open fragments.
+  bool compact(Slots& slots);
 
   /// Adds passes to the chains. Limit: there is room.
   void process(Slots& slots, const FoundPasses& passes, uint32_t edges);
@@ -128,10 +131,10 @@ class Chains {
   void release_all(Slots& slots);
 
  private:
-  static constexpr uint32_t max_new = ChainRoom::max_new;
-  static constexpr uint32_t max_across = ChainRoom::max_across;
-  static constexpr uint32_t slots_per_node = ChainRoom::slots_per_node;
-  static constexpr uint32_t seats_per_slot = ChainRoom::seats_per_slot;
+  static constexpr uint32_t max_new = ChainCapacities::max_new;
+  static constexpr uint32_t max_across = ChainCapacities::max_across;
+  static constexpr uint32_t slots_per_node = ChainCapacities::slots_per_node;
+  static constexpr uint32_t seats_per_slot = ChainCapacities::seats_per_slot;
 
   struct Area {
     uint32_t first, slots;
@@ -184,7 +187,7 @@ class Chains {
   void copy_open(Slots& slots);
   bool comes_back(Slots& slots, uint32_t at);
 
-  ChainRoom room_;
+  ChainCapacities capacities_;
   Area area_[2] = {};            // the first holds the nodes; the other is free
   uint32_t top_ = 0;             // behind the last node
   uint32_t end_ = 0;             // the limit of top_
@@ -200,7 +203,7 @@ class Chains {
   uint32_t next_out_seat_[queue_codes] = {};
   uint32_t first_seat_[queue_codes] = {};
   uint32_t end_seat_[queue_codes] = {};
-  uint32_t join_[ChainRoom::max_joins + 1] = {};
+  uint32_t join_[ChainCapacities::max_joins + 1] = {};
   uint64_t corner_[2 * (max_corners + 2)] = {};
 };
 

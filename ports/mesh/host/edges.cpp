@@ -10,22 +10,22 @@ namespace {
 using detail::trace::columns_per_word;
 using detail::trace::SweptRow;
 
-// From a voxel to the next one.
+// The vector from a voxel to the next one.
 constexpr uint64_t next_voxel = CornerCode::vector({2, 0, 0});
 
 uint64_t two_words(const uint32_t* words) {
   return words[0] | uint64_t{words[1]} << 32;
 }
 
-// The own columns of two words.
+// The columns of two words, without the copies of neighbouring columns.
 constexpr uint64_t own_columns = detail::trace::own_columns * uint64_t{0x100000001};
 
-// The slice of a position, which may lie a column or a row before the first.
-uint32_t slice_of(uint64_t position) {
+// Returns the slice of a position, which may lie a column or a row before the first.
+[[maybe_unused]] uint32_t slice_of(uint64_t position) {
   return static_cast<uint32_t>((position + CornerCode::vector({2, 2, 0})) >> 48);
 }
 
-// A word of each of the nine rows around a row.
+// One word of each of the nine rows around a row.
 class BlockWord {
  public:
   BlockWord(const detail::trace::RowBlock& rows, uint32_t word) {
@@ -39,7 +39,7 @@ class BlockWord {
     rows_3_8_ = pair(row[1][0], row[2][2]);
     row_4_ = row[1][1][word];
   }
-  // RayTable::lines of all voxels around one.
+  // Returns RayTable::lines of all voxels around one.
   uint64_t lines(uint32_t bit) const {
     const auto columns = [shift = bit - 1](uint64_t rows) { return rows >> shift & 0x700000007; };
     uint64_t block = columns(row_4_);
@@ -77,7 +77,7 @@ bool Edges::collect(const SweptRow& row) {
   const uint64_t mask_y = row.has_y ? own_columns : 0, mask_z = row.has_z ? own_columns : 0;
   for (uint32_t word = word_;; ++word) {
     uint64_t x, y, z;
-    // Mostly no edge crosses: words are passed by, two at a time.
+    // Most words have no crossing edge: skips two words at a time.
     for (; word + 2 <= words; word += 2) {
       const uint64_t on = two_words(here + word);
       x = (on ^ on >> 1) & own_columns;
@@ -106,7 +106,7 @@ bool Edges::collect(const SweptRow& row) {
   return false;
 }
 
-// Collects those of the voxels in a word, a bit each.
+// Collects the crossing edges of a word. x, y, z: a bit per voxel with an edge along that axis.
 inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, uint64_t y,
                                 uint64_t z) {
   constexpr uint32_t axis_bits = RayTable::axis_bits;
@@ -133,7 +133,7 @@ inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, 
   if (is_end || row.absent_rows != 0) mark_special(row, first);
 }
 
-// Marks the edges from one on around which cells are absent, and all of context slices.
+// Marks the edges from `first` on that have absent cells, and all edges of context slices.
 DISCMC_NOINLINE void Edges::mark_special(const SweptRow& row, Edge* first) {
   const uint64_t first_voxel = CornerCode::position({0, 2 * row.y, 2 * row.z});
   for (Edge* edge = first; edge != edge_ + count_; ++edge) {

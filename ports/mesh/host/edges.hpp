@@ -34,7 +34,7 @@ class Edges {
   /// word, or belongs to another slice.
   bool collect(const detail::trace::SweptRow& row);
   /// Discards the collected edges.
-  void take_all() { count_ = 0; }
+  void discard_all() { count_ = 0; }
 
   bool is_empty() const { return count_ == 0; }
   uint32_t count() const { return count_; }
@@ -54,7 +54,7 @@ class Edges {
   uint32_t word_ = 0;
   uint32_t count_ = 0;
   int32_t z_ = 0;                  // the slice of the batch
-  Edge edge_[max_edges + 3] = {};  // each voxel writes three, whatever it has
+  Edge edge_[max_edges + 3] = {};  // each voxel writes three, even if fewer cross
 };
 
 }  // namespace discmc::host

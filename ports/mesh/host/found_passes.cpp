@@ -11,8 +11,8 @@ namespace {
 
 constexpr uint32_t incidences = incidence_bits >> incidence_shift;
 
-// Adds the rays of a half: the first one only if its sector differs from the sector before, the
-// last one of the other half.
+// Adds the rays of a half. The first ray exists only if its sector differs from the sector before
+// it, the last sector of the other half.
 DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWord first,
                                        RayWord first_before) {
   const uint32_t differ = first >> incidence_shift ^ first_before >> HalfRays::last_shift;
@@ -27,20 +27,21 @@ DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWo
 
 void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
   RayWord* ray = ray_;
-  PassVertex* place = place_;
+  PassVertex* vertex = vertex_;
   uint64_t parts = 0;
   for (const Edge& edge : edges) {
     if (edge.axis >= Edge::special) {
-      const Added added = add_special(edge, ray, place);
+      const Added added = add_special(edge, ray, vertex);
       ray += added.rays;
-      place += added.rays != 0 ? 1 : 0;
+      vertex += added.rays != 0 ? 1 : 0;
       parts += added.parts;
       continue;
     }
-    constexpr uint32_t half_places = HalfRays::places - 1;
+    constexpr uint32_t half_neighbourhoods = HalfRays::neighbourhoods - 1;
     const uint32_t lines = edge.lines;
-    const RayTable::Kind kind_0 = ray_table.kind[0][lines & half_places];
-    const RayTable::Kind kind_1 = ray_table.kind[1][lines >> HalfRays::lines_bits & half_places];
+    const RayTable::Kind kind_0 = ray_table.kind[0][lines & half_neighbourhoods];
+    const RayTable::Kind kind_1 =
+        ray_table.kind[1][lines >> HalfRays::lines_bits & half_neighbourhoods];
     parts += ray_table.parts[kind_0.parts];
     parts += ray_table.parts[kind_1.parts];
     const HalfRays& half_0 = ray_table.rays[edge.axis][0][kind_0.rays];
@@ -53,11 +54,11 @@ void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
     *ray = *begin | repeated;
     ray += has_rays;
     // If the voxel is on, chains arrive along the next ray; otherwise they leave along it.
-    *place = {edge.voxel, out_bits >> (lines >> (HalfRays::lines_bits - 3) & 8)};
-    place += has_rays;
+    *vertex = {edge.voxel, out_bits >> (lines >> (HalfRays::lines_bits - 3) & 8)};
+    vertex += has_rays;
   }
   rays_ = static_cast<uint32_t>(ray - ray_);
-  DISCMC_LIMIT(place <= place_ + Edges::max_edges && rays_ <= max_passes + Edges::max_edges);
+  DISCMC_LIMIT(vertex <= vertex_ + Edges::max_edges && rays_ <= max_passes + Edges::max_edges);
   constexpr uint64_t one = (uint64_t{1} << PartSum::bits) - 1;
   counts.add(static_cast<uint32_t>(parts & one),
              static_cast<uint32_t>(parts >> PartSum::bits & one),
@@ -66,7 +67,7 @@ void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
 
 // Finds the passes at an edge around which cells are absent, or the ends at the seam of a slab.
 DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, RayWord* ray,
-                                                            PassVertex* place) const {
+                                                            PassVertex* vertex) const {
   // Lines 0 to 4 are in the lowest bits. Line 4 is there once more, followed by 5 to 7.
   constexpr uint32_t first_lines = (1U << HalfRays::lines_bits) - 1;
   const uint32_t lines = (edge.lines & first_lines) |
@@ -80,18 +81,19 @@ DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, Ra
   RayWord* const first = ray;
   for (uint32_t i = 0; i < list.count; ++i) {
     const Pass& pass = list.pass[i];
-    const QueueCode in = queue_traits.code[pass.in], out = queue_traits.code[pass.out];
+    const QueueCode in = queue_traits.code[pass.in_queue], out = queue_traits.code[pass.out_queue];
     if (!is_at_seam) *ray++ = pass_word(in, out, pass.incidence);
-    // A chain that comes across the seam ends here; one that goes across it begins here.
-    if (is_at_seam && pass.in >= detail::trace::first_rising_queue)
+    // At a seam, a chain that arrives across it ends here; a chain that leaves across it begins
+    // here.
+    if (is_at_seam && pass.in_queue >= detail::trace::first_rising_queue)
       *ray++ = pass_word(in, seam_tails, pass.incidence);
-    if (is_at_seam && pass.out >= detail::trace::first_rising_queue)
+    if (is_at_seam && pass.out_queue >= detail::trace::first_rising_queue)
       *ray++ = pass_word(seam_begins, out, pass.incidence);
   }
   const bool has_passes = ray != first;
   *ray = repeated;
   ray += has_passes ? 1 : 0;
-  *place = {edge.voxel, 0};
+  *vertex = {edge.voxel, 0};
   return {static_cast<uint32_t>(ray - first), is_at_seam ? 0 : PartSum::of(list.parts)};
 }
 

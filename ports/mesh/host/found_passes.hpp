@@ -19,12 +19,12 @@ class FoundPasses {
   /// CornerCode::position().
   template <class Visit>
   DISCMC_ALWAYS_INLINE void for_each(Visit visit) const {
-    const PassVertex* place = place_;
+    const PassVertex* vertex = vertex_;
     for (const RayWord *ray = ray_, *const end = ray_ + rays_; ray != end;) {
       const RayWord next = ray[1];
-      visit(place->voxel, ray[0] ^ ((ray[0] ^ next) & place->of_next));
+      visit(vertex->voxel, ray[0] ^ ((ray[0] ^ next) & vertex->of_next));
       ray += 1 + (next >> 31);
-      place += next >> 31;
+      vertex += next >> 31;
     }
   }
 
@@ -32,8 +32,8 @@ class FoundPasses {
   // Set in the word behind the last ray of a vertex, which repeats the first ray.
   static constexpr uint32_t repeated = 1U << 31;
 
-  // The voxel of a vertex, and the bits of its passes that come from the next ray: in_bits,
-  // out_bits, or none for special vertices.
+  // The voxel of a vertex, and the bits that a pass copies from its next ray: in_bits, out_bits, or
+  // none for special vertices.
   struct PassVertex {
     uint64_t voxel;
     uint32_t of_next;
@@ -44,11 +44,11 @@ class FoundPasses {
     uint64_t parts;
   };
 
-  Added add_special(const Edge& edge, RayWord* ray, PassVertex* place) const;
+  Added add_special(const Edge& edge, RayWord* ray, PassVertex* vertex) const;
 
   uint32_t rays_ = 0;  // including repeated ones
-  PassVertex place_[Edges::max_edges + 1] = {};
-  // Behind a first ray four words are copied, whatever the number of rays.
+  PassVertex vertex_[Edges::max_edges + 1] = {};
+  // Four words are copied behind a first ray, so the array has room beyond the last ray.
   RayWord ray_[max_passes + Edges::max_edges + 5] = {};
   static_assert(2 * sizeof(HalfRays) == detail::trace::PassList::max_passes * sizeof(RayWord),
                 "a vertex has as many rays as two halves");

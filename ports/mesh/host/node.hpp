@@ -32,22 +32,22 @@ struct Node {
   void set_voxel(uint64_t bits) { copy_bytes(voxel_bits, &bits, sizeof bits); }
 
   bool turns() const {
-    return queue_traits.incoming[in_of(pass)] != queue_traits.first[out_of(pass)];
+    return queue_traits.incoming[in_of(pass)] != queue_traits.outgoing[out_of(pass)];
   }
   bool turns_behind() const { return queue_traits.turns[out_of(pass)] != 0; }
   bool has_corner() const { return turns() || turns_behind(); }
   bool begins_at_seam() const { return in_of(pass) == seam_begins; }
   bool ends_at_seam() const { return out_of(pass) == seam_tails; }
 
-  /// The corner at the vertex, if turns(); and the corner at the centroid behind it.
+  /// The corner at the vertex, if turns(); the corner at the centroid behind it, if turns_behind().
   uint64_t corner() const {
-    return plane() + queue_traits.vertex[in_of(pass)] + queue_traits.first[out_of(pass)];
+    return plane() + queue_traits.vertex[in_of(pass)] + queue_traits.outgoing[out_of(pass)];
   }
   uint64_t corner_behind() const { return plane() + queue_traits.centroid[out_of(pass)]; }
 
-  /// Writes none to two corners, by the same instructions in all cases. Returns the place of the
-  /// next corner. Limit: there is room for two.
-  DISCMC_ALWAYS_INLINE uint64_t* add_corners(uint64_t* corners) const {
+  /// Writes none to two corners, by the same instructions in all cases. Returns a pointer behind
+  /// the last one. Limit: there is room for two.
+  DISCMC_ALWAYS_INLINE uint64_t* append_corners(uint64_t* corners) const {
     corners[0] = corner();
     corners += turns() ? 1 : 0;
     corners[0] = corner_behind();

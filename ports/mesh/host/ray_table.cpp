@@ -19,9 +19,9 @@ constexpr Vertex unit(int axis) {
   return {axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0};
 }
 
-// Calls visit(axis, quadrant, way, whether it is a spoke) for every way that chains come by, or go.
+// Calls visit(axis, quadrant, way, is_spoke) for every way by which chains arrive, or leave.
 template <class Visit>
-constexpr void for_each_way(bool they_come, Visit visit) {
+constexpr void for_each_way(bool arrives, Visit visit) {
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant) {
       const Way* const ways = sectors.axis[axis].way[quadrant];
@@ -29,47 +29,48 @@ constexpr void for_each_way(bool they_come, Visit visit) {
         visit(axis, quadrant, ways[way], false);
       for (const auto& of_lower : sectors.edges)
         for (const uint8_t both : of_lower)
-          if (both != 0) visit(axis, quadrant, ways[they_come ? both >> 4 : both & 15], true);
+          if (both != 0) visit(axis, quadrant, ways[arrives ? both >> 4 : both & 15], true);
     }
 }
 
 constexpr QueueTraits derive_queue_traits() {
-  QueueTraits ends{};
-  bool begins[detail::trace::queue_count] = {};
+  QueueTraits traits{};
+  bool are_begins[detail::trace::queue_count] = {};
   for_each_way(true, [&](int, int, Way way, bool) {
-    if (way.is_ahead()) begins[way.queue_in()] = true;
+    if (way.is_ahead()) are_begins[way.queue_in()] = true;
   });
   uint32_t next[] = {0, first_begins};
   for (uint8_t queue = 0; queue < detail::trace::queue_count; ++queue) {
-    const uint32_t code = next[begins[queue] ? 1 : 0]++;
-    ends.code[queue] = static_cast<QueueCode>(code);
-    ends.number[code] = queue;
+    const uint32_t code = next[are_begins[queue] ? 1 : 0]++;
+    traits.code[queue] = static_cast<QueueCode>(code);
+    traits.number[code] = queue;
   }
   for_each_way(true, [&](int axis, int quadrant, Way way, bool is_spoke) {
-    const uint32_t code = ends.code[way.queue_in()];
-    ends.incoming[code] =
+    const uint32_t code = traits.code[way.queue_in()];
+    traits.incoming[code] =
         opposite_link(is_spoke ? sectors.axis[axis].inwards[quadrant] : way.link());
-    ends.vertex[code] = CornerCode::vector(unit(axis)) + CornerCode::links(ends.incoming[code], 0);
+    traits.vertex[code] =
+        CornerCode::vector(unit(axis)) + CornerCode::links(traits.incoming[code], 0);
   });
   for_each_way(false, [&](int axis, int quadrant, Way way, bool is_spoke) {
-    const uint32_t code = ends.code[way.queue_out()];
-    ends.first[code] = is_spoke ? sectors.axis[axis].inwards[quadrant] : way.link();
-    ends.turns[code] = ends.first[code] != way.link() ? 1 : 0;
-    ends.centroid[code] = CornerCode::vector(unit(axis) + link_vector(ends.first[code])) +
-                          CornerCode::links(ends.first[code], way.link());
+    const uint32_t code = traits.code[way.queue_out()];
+    traits.outgoing[code] = is_spoke ? sectors.axis[axis].inwards[quadrant] : way.link();
+    traits.turns[code] = traits.outgoing[code] != way.link() ? 1 : 0;
+    traits.centroid[code] = CornerCode::vector(unit(axis) + link_vector(traits.outgoing[code])) +
+                            CornerCode::links(traits.outgoing[code], way.link());
   });
-  ends.incoming[seam_begins] = ends.first[seam_tails] = CornerCode::beyond_seam;
-  ends.vertex[seam_begins] = CornerCode::links(CornerCode::beyond_seam, 0);
+  traits.incoming[seam_begins] = traits.outgoing[seam_tails] = CornerCode::beyond_seam;
+  traits.vertex[seam_begins] = CornerCode::links(CornerCode::beyond_seam, 0);
   for (uint32_t code = 0; code < queue_codes; ++code) {
     const bool has_begins = code >= first_begins;
-    (has_begins ? ends.comes_from_ahead : ends.goes_ahead)[code] = UINT32_MAX;
-    constexpr uint32_t never_in = 30, never_out = 31, of_begins = 32;
+    (has_begins ? traits.comes_from_ahead : traits.goes_ahead)[code] = UINT32_MAX;
+    constexpr uint32_t no_link_in = 30, no_link_out = 31, of_begins = 32;
     const uint32_t ends_of = has_begins ? of_begins : 0;
-    const bool turns = ends.turns[code] != 0;
-    ends.straight_in[code] = (turns && has_begins ? never_in : ends.incoming[code]) | ends_of;
-    ends.straight_out[code] = (turns ? never_out : ends.first[code]) | ends_of;
+    const bool turns = traits.turns[code] != 0;
+    traits.straight_in[code] = (turns && has_begins ? no_link_in : traits.incoming[code]) | ends_of;
+    traits.straight_out[code] = (turns ? no_link_out : traits.outgoing[code]) | ends_of;
   }
-  return ends;
+  return traits;
 }
 
 constexpr QueueTraits derived_queue_traits = derive_queue_traits();
@@ -85,13 +86,13 @@ constexpr uint32_t turned(uint32_t heading, uint32_t by) {
   return heading == detail::trace::no_heading ? heading : (heading + by) % 8;
 }
 
-// A half as it is whatever the axis, and turned to the first one.
+// A half of a neighbourhood, for any axis, turned to the first half.
 struct Half {
   uint32_t lower_is_on;
   uint32_t heading[4] = {};  // of its sectors
   uint32_t edges[2] = {};    // of the cells' spokes, or 0
-  uint32_t face[2] = {};     // the ways on their first faces; 0 if the second has no ray
-  uint32_t parts = 0;        // a place in RayTable::parts
+  uint32_t face[2] = {};     // the ways on their first faces; 0 if the second face has no ray
+  uint32_t parts = 0;        // an index of RayTable::parts
 
   constexpr Half(uint32_t lower, uint32_t lines) : lower_is_on(lower) {
     uint32_t part[2] = {};
@@ -105,12 +106,12 @@ struct Half {
       part[i] = cell.part;
     }
     if (heading[1] == heading[2]) face[1] = 0;
-    // The pairs of parts, whichever comes first, without a gap.
+    // Numbers unordered pairs of parts without gaps.
     const uint32_t greater = part[0] > part[1] ? part[0] : part[1];
     parts = greater * (greater + 1) / 2 + (part[0] + part[1] - greater);
   }
 
-  // Equal where all else is that makes a kind; never 0.
+  // Identifies the kind: equal keys mean equal rays for all axes. Never 0.
   constexpr uint64_t key() const {
     uint64_t bits = 2 | lower_is_on;
     for (const uint32_t h : heading) bits = bits << 4 | h;
@@ -146,16 +147,16 @@ struct Half {
 
 // ---- the table ----
 
-// Where the voxels at a place in the block around a voxel stand in RayTable::lines.
+// Returns the bits of RayTable::lines for a voxel, by its position relative to the middle voxel.
 constexpr uint64_t bits_of_voxel(int x, int y, int z) {
   uint64_t bits = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const int at[] = {x, y, z};
     const int along = at[axis], u = at[(axis + 1) % 3], v = at[(axis + 2) % 3];
     uint64_t of_axis = along == 0 && u == 0 && v == 0 ? 1U << HalfRays::lines_bits : 0;
-    for (int place = 0; along >= 0 && place < 10; ++place) {
-      const Vertex line = detail::trace::derive::line_at((place < 5 ? place : place - 1) % 8);
-      const int shift = 2 * place + (place < 5 ? 0 : 1) + along;
+    for (int index = 0; along >= 0 && index < 10; ++index) {
+      const Vertex line = detail::trace::derive::line_at((index < 5 ? index : index - 1) % 8);
+      const int shift = 2 * index + (index < 5 ? 0 : 1) + along;
       if (line.y == u && line.z == v) of_axis |= uint64_t{1} << shift;
     }
     bits |= of_axis << RayTable::axis_bits * static_cast<uint32_t>(axis);
@@ -166,35 +167,35 @@ constexpr uint64_t bits_of_voxel(int x, int y, int z) {
 constexpr RayTable derive_rays() {
   RayTable table{};
   for (int z = 0; z < 3; ++z)
-    for (uint32_t place = 0; place < 9; ++place) {
+    for (uint32_t voxel = 0; voxel < 9; ++voxel) {
       const uint64_t bits =
-          bits_of_voxel(static_cast<int>(place % 3) - 1, static_cast<int>(place / 3) - 1, z - 1);
-      for (uint32_t lower = 0; lower < 1U << place; ++lower)
-        table.lines[z][1U << place | lower] = table.lines[z][lower] | bits;
+          bits_of_voxel(static_cast<int>(voxel % 3) - 1, static_cast<int>(voxel / 3) - 1, z - 1);
+      for (uint32_t lower = 0; lower < 1U << voxel; ++lower)
+        table.lines[z][1U << voxel | lower] = table.lines[z][lower] | bits;
     }
   for (uint32_t greater = 0; greater < 15; ++greater)
     for (uint32_t other = 0; other <= greater; ++other)
       table.parts[greater * (greater + 1) / 2 + other] =
           PartSum::of(sectors.part[greater]) + PartSum::of(sectors.part[other]);
 
-  constexpr uint32_t places = 1024;
-  uint64_t known[places] = {};
-  uint16_t number[places] = {};
+  constexpr uint32_t buckets = 1024;
+  uint64_t keys[buckets] = {};
+  uint16_t number[buckets] = {};
   uint16_t kinds = 0;
   for (uint32_t lower = 0; lower < 2; ++lower)
     for (uint32_t lines = 0; lines < 1U << HalfRays::lines_bits; ++lines) {
       const Half half(lower, lines);
       const uint64_t key = half.key();
-      auto place = static_cast<uint32_t>(key % 1021);
-      while (known[place] != 0 && known[place] != key) place = (place + 1) % places;
-      if (known[place] == 0) {
-        known[place] = key;
-        number[place] = kinds;
+      auto bucket = static_cast<uint32_t>(key % 1021);
+      while (keys[bucket] != 0 && keys[bucket] != key) bucket = (bucket + 1) % buckets;
+      if (keys[bucket] == 0) {
+        keys[bucket] = key;
+        number[bucket] = kinds;
         for (int axis = 0; axis < 3; ++axis)
           for (int i = 0; i < 2; ++i) table.rays[axis][i][kinds] = half.rays(axis, i);
         ++kinds;
       }
-      const RayTable::Kind kind{number[place], static_cast<uint16_t>(half.parts)};
+      const RayTable::Kind kind{number[bucket], static_cast<uint16_t>(half.parts)};
       table.kind[0][lines | lower << HalfRays::lines_bits] = kind;
       table.kind[1][lines << 1 | lower] = kind;
     }
@@ -212,7 +213,7 @@ constexpr bool sums_have_room() {
       if ((parts & field) * 2 * Edges::max_edges > field) return false;
   return true;
 }
-static_assert(sums_have_room(), "the parts of two halves each, for all edges of a batch, fit");
+static_assert(sums_have_room(), "the parts of all edges of a batch, two halves each, fit");
 
 }  // namespace
 

@@ -59,7 +59,7 @@ struct PartSum {
 /// lines of voxels (sector_table.hpp) and the voxel in the middle determine the rays.
 struct HalfRays {
   static constexpr uint32_t lines_bits = 10;
-  static constexpr uint32_t places = 1U << (lines_bits + 1);
+  static constexpr uint32_t neighbourhoods = 1U << (lines_bits + 1);
   static constexpr uint32_t kinds = 306;
 
   /// The rays behind the first face, in order; words after the last ray are unused.
@@ -74,19 +74,19 @@ struct HalfRays {
 };
 
 struct RayTable {
-  /// The share of 3 x 3 voxels of a slice in the lines around the middle voxel. First index: the
-  /// slice below, with, or above that voxel. Second index: the voxels, bit x + 3 y. Each axis has
-  /// 21 bits, from the lowest: lines 0 to 4 (10), the voxel (1), lines 4 to 7 and 0 (10).
+  /// The lines of 3 x 3 voxels of a slice around the middle voxel. First index: the slice below,
+  /// with, or above that voxel. Second index: the voxels, bit x + 3 y. Each axis has 21 bits, from
+  /// the lowest: lines 0 to 4 (10), the voxel (1), lines 4 to 7 and 0 (10).
   uint64_t lines[3][512];
   static constexpr uint32_t axis_bits = 2 * HalfRays::lines_bits + 1;
   static_assert(3 * axis_bits <= 64, "three axes fit");
 
   /// A half of any axis: its rays, and the counts of its cells.
   struct Kind {
-    uint16_t rays;   ///< a place in `rays`
-    uint16_t parts;  ///< a place in `parts`
+    uint16_t rays;   ///< an index of `rays`
+    uint16_t parts;  ///< an index of `parts`
   };
-  Kind kind[2][HalfRays::places];  ///< by half, then by lines and voxel as above
+  Kind kind[2][HalfRays::neighbourhoods];  ///< by half, then by lines and voxel as above
 
   HalfRays rays[3][2][HalfRays::kinds];  ///< by axis and half
   uint64_t parts[120];                   ///< PartSum
@@ -102,7 +102,7 @@ struct QueueTraits {
   /// CornerCode::vector() from the voxel to the corner at the centroid behind the vertex, with both
   /// links.
   uint64_t centroid[queue_codes];
-  Link first[queue_codes];           ///< the leaving link, to the next vertex or a centroid
+  Link outgoing[queue_codes];        ///< the leaving link, to the next vertex or a centroid
   uint8_t turns[queue_codes];        ///< 1 if there is a corner at that centroid, else 0
   uint32_t goes_ahead[queue_codes];  ///< all bits if the vertex after is visited later
 

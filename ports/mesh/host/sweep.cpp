@@ -26,10 +26,10 @@ bool Sweep::sweep(const detail::trace::SweptRow& row, const BitIntake& intake, c
                   Statistics& statistics) {
   while (keeps_nodes_) {
     if (is_due_ && !deliver(sink, statistics)) return false;
-    if (edges_.is_empty() && !make_room(row)) {
+    if (edges_.is_empty() && !ensure_room(row)) {
       if (!chains_.has_complete()) hand_over(row);
     } else if (edges_.collect(row)) {
-      take_edges(statistics);
+      process_edges(statistics);
     } else {
       return true;
     }
@@ -40,7 +40,7 @@ bool Sweep::sweep(const detail::trace::SweptRow& row, const BitIntake& intake, c
 bool Sweep::flush(const Sink& sink, Statistics& statistics) {
   if (!keeps_nodes_) return true;
   if (is_due_ && !deliver(sink, statistics)) return false;
-  take_edges(statistics);
+  process_edges(statistics);
   return deliver(sink, statistics);
 }
 
@@ -57,23 +57,23 @@ uint32_t Sweep::left_triangle_parts() const {
   return counts_.triangle_parts();
 }
 
-void Sweep::take_edges(Statistics& statistics) {
+void Sweep::process_edges(Statistics& statistics) {
   is_due_ = true;
   found_.find(edges_, counts_);
   counts_.add_to(statistics);
   chains_.process(slots(), found_, edges_.count());
-  edges_.take_all();
+  edges_.discard_all();
 }
 
 // ---- handing over ----
 
 // Returns false if complete fragments must be delivered first, or if no room can be made.
-bool Sweep::make_room(const detail::trace::SweptRow& row) {
+bool Sweep::ensure_room(const detail::trace::SweptRow& row) {
   const bool may_stay = row.z < CornerCode::max_slices;
   if (may_stay && chains_.has_room(slots())) return true;
   chains_.find_complete(slots());
   is_due_ = chains_.has_complete();
-  return !is_due_ && may_stay && chains_.make_room(slots());
+  return !is_due_ && may_stay && chains_.compact(slots());
 }
 
 // Below a slab, all chains belong to another slab; the firmware's sweep counts their ends as lost.
@@ -109,7 +109,7 @@ bool Sweep::sweep_plain(const detail::trace::SweptRow& row, const BitIntake& int
 
 // ---- delivery ----
 
-// Delivers all that is due. False when the sink is busy.
+// Delivers all rings and complete fragments. Returns false if the sink is busy.
 bool Sweep::deliver(const Sink& sink, Statistics& statistics) {
   if (!delivery_.deliver(fragments_, sink, statistics)) return false;
   while (chains_.find_ring(slots()))
@@ -128,9 +128,9 @@ bool Sweep::may_have_holes(const OneRingRegion& region) {
   return holes.count() > 0 && holes.has_any(slots(), region.incidence(), region.start());
 }
 
-// The ring that was found as a region: it begins at its last vertex, as in Delivery. This vertex is
+// Returns the found ring as a region. It begins at its last vertex, as in Delivery; this vertex is
 // a corner.
-DISCMC_ALWAYS_INLINE OneRingRegion Sweep::region_found(uint64_t& links) {
+DISCMC_ALWAYS_INLINE OneRingRegion Sweep::found_region(uint64_t& links) {
   uint64_t* const corner = chains_.corners();
   const uint32_t count = chains_.corner_count();
   DISCMC_LIMIT(count <= Chains::max_corners + 2);
@@ -147,10 +147,10 @@ DISCMC_ALWAYS_INLINE OneRingRegion Sweep::region_found(uint64_t& links) {
   return {corner + first, count};
 }
 
-// Delivers the ring that was found.
+// Delivers the found ring.
 bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
   uint64_t links = 0;
-  const OneRingRegion region = region_found(links);
+  const OneRingRegion region = found_region(links);
   if (region.corner_count() == 0 || is_hole(region) || may_have_holes(region)) {
     chains_.put_out_ring(fragments_);
     return delivery_.deliver(fragments_, sink, statistics);
@@ -165,15 +165,15 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
   return true;
 }
 
-// When the sink is busy, the ordinary delivery continues.
+// If the sink is busy, the ordinary delivery continues.
 bool Sweep::send_events(const OneRingRegion& region, const Sink& sink, Statistics& statistics) {
-  uint32_t taken = discmc::send_events(region, [&](const Event& event) {
+  uint32_t sent = discmc::send_events(region, [&](const Event& event) {
     return sink.accept(sink.context, event) == SinkResult::accepted;
   });
-  if (taken == region.corner_count() + 3) return true;
+  if (sent == region.corner_count() + 3) return true;
   chains_.put_out_ring(fragments_);
   delivery_.begin(fragments_);
-  for (; taken > 0; --taken) delivery_.select_next(fragments_, statistics);
+  for (; sent > 0; --sent) delivery_.select_next(fragments_, statistics);
   return false;
 }
 

@@ -24,7 +24,7 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
     Plain::start(arena, capacities);
     receiver_ = {};
   }
-  void set_room(const ChainRoom& room) { chains_.set_room(room); }
+  void set_capacities(const ChainCapacities& capacities) { chains_.set_capacities(capacities); }
   void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();
   /// May keep the last edges for the next call.
@@ -43,13 +43,13 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
 
   bool sweep_plain(const detail::trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
                    Statistics& statistics);
-  bool make_room(const detail::trace::SweptRow& row);
+  bool ensure_room(const detail::trace::SweptRow& row);
   void hand_over(const detail::trace::SweptRow& row);
-  void take_edges(Statistics& statistics);
+  void process_edges(Statistics& statistics);
   bool deliver(const Sink& sink, Statistics& statistics);
   bool may_have_holes(const OneRingRegion& region);
   bool deliver_ring(const Sink& sink, Statistics& statistics);
-  OneRingRegion region_found(uint64_t& links);
+  OneRingRegion found_region(uint64_t& links);
   bool send_events(const OneRingRegion& region, const Sink& sink, Statistics& statistics);
 
   Slots& slots() { return fragments_.slots(); }

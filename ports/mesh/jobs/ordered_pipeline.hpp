@@ -13,21 +13,21 @@
 
 namespace discmc::meshing {
 
-/// Passes items 0 to count - 1 through three steps. fill(number, item) and take(number, item) are
-/// called in order, by one thread at a time. `jobs` threads call work(number, item). Items are
+/// Passes items 0 to count - 1 through three steps. fill(number, item) and consume(number, item)
+/// are called in order, by one thread at a time. `jobs` threads call work(number, item). Items are
 /// reused to keep their memory: there are twice as many as jobs, or as items if these are fewer. An
 /// exception of a step ends the pipeline and is rethrown. One job starts no thread.
-template <class Item, class Fill, class Work, class Take>
+template <class Item, class Fill, class Work, class Consume>
 class OrderedPipeline {
  public:
   /// Limit: at least one job.
-  OrderedPipeline(unsigned jobs, std::size_t count, Fill fill, Work work, Take take)
+  OrderedPipeline(unsigned jobs, std::size_t count, Fill fill, Work work, Consume consume)
       : jobs_(jobs),
         count_(count),
         slots_(2 * std::clamp<std::size_t>(count, 1, jobs)),
         fill_(fill),
         work_(work),
-        take_(take) {}
+        consume_(consume) {}
 
   void run() {
     std::vector<std::thread> threads;
@@ -54,17 +54,17 @@ class OrderedPipeline {
   // Runs until nothing is left to do.
   void run_steps() {
     std::unique_lock<std::mutex> lock(mutex_);
-    while (!error_ && taken_ < count_)
+    while (!error_ && consumed_ < count_)
       if (!run_step(lock)) changed_.wait(lock);
     changed_.notify_all();
   }
 
   // Returns whether there was a step to run. Prefers steps that others wait for.
   bool run_step(std::unique_lock<std::mutex>& lock) {
-    if (!is_taking_ && slot(taken_).state == State::done) {
+    if (!is_taking_ && slot(consumed_).state == State::done) {
       is_taking_ = true;
-      call(lock, take_, taken_);
-      slot(taken_++).state = State::empty;
+      call(lock, consume_, consumed_);
+      slot(consumed_++).state = State::empty;
       is_taking_ = false;
     } else if (!is_filling_ && filled_ < count_ && slot(filled_).state == State::empty &&
                filled_ < begun_ + jobs_) {
@@ -103,19 +103,19 @@ class OrderedPipeline {
   std::vector<Slot> slots_;
   Fill fill_;
   Work work_;
-  Take take_;
+  Consume consume_;
   std::mutex mutex_;
   std::condition_variable changed_;
   // Numbers of items that were filled, begun and taken.
-  std::size_t filled_ = 0, begun_ = 0, taken_ = 0;
+  std::size_t filled_ = 0, begun_ = 0, consumed_ = 0;
   bool is_filling_ = false, is_taking_ = false;
   std::exception_ptr error_;
 };
 
 /// Runs an OrderedPipeline.
-template <class Item, class Fill, class Work, class Take>
-void run_in_order(unsigned jobs, std::size_t count, Fill fill, Work work, Take take) {
-  OrderedPipeline<Item, Fill, Work, Take>(jobs, count, fill, work, take).run();
+template <class Item, class Fill, class Work, class Consume>
+void run_in_order(unsigned jobs, std::size_t count, Fill fill, Work work, Consume consume) {
+  OrderedPipeline<Item, Fill, Work, Consume>(jobs, count, fill, work, consume).run();
 }
 
 /// Calls work(number) for 0 to count - 1, by as many threads as there are jobs, in any order.

@@ -92,7 +92,7 @@ struct MeshReport {
   std::size_t wrongly_oriented = 0;    ///< used by two faces in the same direction
   std::size_t degenerate_faces = 0;    ///< without area, or with a vertex twice
 
-  bool closed() const {
+  bool is_closed() const {
     return open_edges + non_manifold_edges + wrongly_oriented + degenerate_faces == 0;
   }
 };

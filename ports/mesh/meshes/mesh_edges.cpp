@@ -25,7 +25,7 @@ std::vector<FaceEdge> sorted_edges(const FaceMesh& mesh) {
 Sets connected_faces(const std::vector<FaceEdge>& edges, std::size_t faces) {
   Sets sets(faces);
   for (std::size_t i = 1; i < edges.size(); ++i)
-    if (edges[i].joins_the_same(edges[i - 1])) sets.join(edges[i].face, edges[i - 1].face);
+    if (edges[i].joins_same_vertices(edges[i - 1])) sets.join(edges[i].face, edges[i - 1].face);
   return sets;
 }
 

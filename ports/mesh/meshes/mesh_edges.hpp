@@ -17,7 +17,7 @@ struct FaceEdge {
   std::uint32_t face;
   bool falls;  ///< whether it runs from the higher number to the lower
 
-  bool joins_the_same(const FaceEdge& other) const {
+  bool joins_same_vertices(const FaceEdge& other) const {
     return low == other.low && high == other.high;
   }
 };
@@ -29,7 +29,7 @@ std::vector<FaceEdge> sorted_edges(const FaceMesh& mesh);
 template <class Call>
 void for_each_edge(const std::vector<FaceEdge>& edges, const Call& call) {
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].joins_the_same(edges[begin])) ++end;
+    while (end < edges.size() && edges[end].joins_same_vertices(edges[begin])) ++end;
     call(edges.data() + begin, end - begin);
   }
 }

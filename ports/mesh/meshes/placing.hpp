@@ -1,4 +1,4 @@
-// Moves a mesh to the place of its volume.
+// Moves a mesh to the placement of its volume.
 #ifndef DISCMC_MESH_MESHES_PLACING_HPP
 #define DISCMC_MESH_MESHES_PLACING_HPP
 
@@ -7,7 +7,7 @@
 
 namespace discmc::meshing {
 
-/// Moves a mesh of build_mesh() to its place; call it once. Transforms vertices and normals, as
+/// Moves a mesh of build_mesh() to the placement; call it once. Transforms vertices and normals, as
 /// planes, even for oblique axes. Reverses corners if the placement mirrors. A vertex (x, y, z), in
 /// half-steps, then lies at origin + (x axes[0] + y axes[1] + z axes[2]) / 2. Limit:
 /// is_usable(placement).

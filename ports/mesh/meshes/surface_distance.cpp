@@ -73,8 +73,8 @@ Distances distances(const FaceMesh& from, const FaceMesh& to, const Point& unit,
   const std::vector<Corners> others = triangles_of(to, unit);
   BoxTree tree(std::vector<Box>(others.begin(), others.end()));
   const auto distance_of = [&](const Point& point, double enough) {
-    return tree.distance(
-        point, enough, [&](std::uint32_t place) { return squared_distance(point, others[place]); });
+    return tree.distance(point, enough,
+                         [&](std::uint32_t face) { return squared_distance(point, others[face]); });
   };
   const std::vector<Corners> triangles = triangles_of(from, unit);
   double whole_area = 0;

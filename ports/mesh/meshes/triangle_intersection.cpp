@@ -9,12 +9,12 @@ namespace {
 
 // Whether the line between two points on different sides of a triangle's plane meets the triangle.
 bool meets(const Point& begin, const Point& end, const Corners& triangle) {
-  int least = 0, most = 0;
+  int lowest = 0, highest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const int side = TrianglePlane({begin, end, triangle[i]}).side_of(triangle[(i + 1) % 3]);
-    least = std::min(least, side);
-    most = std::max(most, side);
-    if (least < 0 && most > 0) return false;
+    lowest = std::min(lowest, side);
+    highest = std::max(highest, side);
+    if (lowest < 0 && highest > 0) return false;
   }
   return true;
 }

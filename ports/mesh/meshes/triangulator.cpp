@@ -68,24 +68,24 @@ void Triangulator::sweep(const std::vector<PlanePoint>& points,
   if (!add_edges(ring_ends) || !pass_all()) return triangles_.clear();
   flips_.improve(at_, triangles_);
   for (Triangle& triangle : triangles_)
-    for (std::uint32_t& corner : triangle) corner = places_[corner];
+    for (std::uint32_t& corner : triangle) corner = indexes_[corner];
 }
 
 void Triangulator::sort_points(const std::vector<PlanePoint>& points) {
   located_.clear();
-  for (std::uint32_t place = 0; place < points.size(); ++place)
-    located_.push_back({points[place], place});
+  for (std::uint32_t index = 0; index < points.size(); ++index)
+    located_.push_back({points[index], index});
   std::sort(located_.begin(), located_.end(),
             [](const Located& a, const Located& b) { return is_left_of(a.point, b.point); });
   ranks_.resize(points.size());
   at_.clear();
-  places_.clear();
+  indexes_.clear();
   for (const Located& located : located_) {
     if (at_.empty() || is_left_of(at_.back(), located.point)) {
       at_.push_back(located.point);
-      places_.push_back(located.place);
+      indexes_.push_back(located.index);
     }
-    ranks_[located.place] = static_cast<Rank>(at_.size() - 1);
+    ranks_[located.index] = static_cast<Rank>(at_.size() - 1);
   }
 }
 
@@ -145,8 +145,8 @@ bool Triangulator::pass(Rank point) {
   if (is_inside_below) active_[begin - 1].chain = lower;
 
   const std::size_t new_end = begin + leaving_.size();
-  const auto at = [&](std::size_t place) {
-    return active_.begin() + static_cast<std::ptrdiff_t>(place);
+  const auto at = [&](std::size_t index) {
+    return active_.begin() + static_cast<std::ptrdiff_t>(index);
   };
   if (new_end < end) active_.erase(at(new_end), at(end));
   if (new_end > end) active_.insert(at(end), new_end - end, ActiveEdge{});

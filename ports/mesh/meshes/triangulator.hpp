@@ -74,13 +74,13 @@ class Triangulator {
 
   struct Located {
     PlanePoint point;
-    std::uint32_t place;
+    std::uint32_t index;
   };
   std::vector<Located> located_;
-  std::vector<Rank> ranks_;            // by index
-  std::vector<PlanePoint> at_;         // by rank
-  std::vector<std::uint32_t> places_;  // by rank
-  std::vector<Edge> edges_;            // sorted by left ends
+  std::vector<Rank> ranks_;             // by index
+  std::vector<PlanePoint> at_;          // by rank
+  std::vector<std::uint32_t> indexes_;  // by rank
+  std::vector<Edge> edges_;             // sorted by left ends
   std::vector<std::uint32_t> edges_begin_;
   std::vector<ActiveEdge> active_;  // edges that the sweep crosses, from bottom to top
   std::vector<Edge> leaving_;       // edges that begin at the point, from bottom to top

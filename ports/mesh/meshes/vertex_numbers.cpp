@@ -7,8 +7,8 @@
 namespace discmc::meshing {
 
 VertexNumbers::Block& VertexNumbers::block_at(const Vertex& origin) {
-  const std::uint32_t place = find_block(origin);
-  return place != none ? blocks_[place] : new_block(origin);
+  const std::uint32_t block = find_block(origin);
+  return block != none ? blocks_[block] : new_block(origin);
 }
 
 DISCMC_NOINLINE VertexNumbers::Block& VertexNumbers::new_block(const Vertex& origin) {
@@ -20,8 +20,8 @@ DISCMC_NOINLINE VertexNumbers::Block& VertexNumbers::new_block(const Vertex& ori
 
 void VertexNumbers::set_slots(std::size_t count) {
   slots_.assign(count, none);
-  for (std::size_t place = 0; place < blocks_.size(); ++place)
-    slots_[slot_of(blocks_[place].origin)] = static_cast<std::uint32_t>(place);
+  for (std::size_t block = 0; block < blocks_.size(); ++block)
+    slots_[slot_of(blocks_[block].origin)] = static_cast<std::uint32_t>(block);
 }
 
 // Gives each block in the box around all corners a slot of its own, if there are few of them.

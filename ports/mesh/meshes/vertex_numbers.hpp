@@ -32,13 +32,13 @@ class VertexNumbers {
 
   /// Returns the number of a vertex, or none.
   std::uint32_t find(const Vertex& vertex) const {
-    const std::uint32_t place = find_block(origin_of(vertex));
-    return place != none && blocks_[place].has(vertex) ? number(blocks_[place], vertex) : none;
+    const std::uint32_t block = find_block(origin_of(vertex));
+    return block != none && blocks_[block].has(vertex) ? number(blocks_[block], vertex) : none;
   }
 
   bool has(const Vertex& vertex) const {
-    const std::uint32_t place = find_block(origin_of(vertex));
-    return place != none && blocks_[place].has(vertex);
+    const std::uint32_t block = find_block(origin_of(vertex));
+    return block != none && blocks_[block].has(vertex);
   }
 
   /// The positions by number.

@@ -1,4 +1,4 @@
-// The place of a volume in space, which maps voxels to millimetres.
+// The placement of a volume in space, which maps voxels to millimetres.
 #ifndef DISCMC_MESH_SAMPLES_VOLUME_PLACEMENT_HPP
 #define DISCMC_MESH_SAMPLES_VOLUME_PLACEMENT_HPP
 
@@ -44,7 +44,7 @@ double determinant(const Axes& axes);
 bool is_usable(const Axes& axes_mm);
 bool is_usable(const VolumePlacement& placement);
 
-/// Returns the same place in another space. Limit: neither is Space::scanner.
+/// Returns the same placement in another space. Limit: neither is Space::scanner.
 VolumePlacement in_space(VolumePlacement placement, Space space);
 
 /// Returns the placement of a stream's record, rounded to nanometres. Limit: is_usable(). Throws

@@ -44,8 +44,8 @@ void ClosedVolume::read_padded(std::uint64_t* bits) {
     const std::uint8_t* const row = slice + y * bit_row_bytes(info_.dims[0]);
     std::uint64_t* const to = bits + (y + ball_.reach[1]) * padded_.row_words();
     for (std::uint32_t x = 0; x < info_.dims[0]; ++x) {
-      const std::uint32_t place = x + ball_.reach[0];
-      to[place / 64] |= std::uint64_t{unsigned{row[x / 8]} >> x % 8 & 1U} << place % 64;
+      const std::uint32_t bit = x + ball_.reach[0];
+      to[bit / 64] |= std::uint64_t{unsigned{row[x / 8]} >> x % 8 & 1U} << bit % 64;
     }
   }
 }

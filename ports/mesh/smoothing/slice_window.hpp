@@ -24,9 +24,9 @@ struct Grid {
 inline std::array<std::uint32_t, 3> reach(const Grid& grid, double length_mm) {
   std::array<std::uint32_t, 3> voxels{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double most =
+    const double max_step =
         std::min(std::ceil(length_mm / grid.spacing_mm[axis]), 1.0 * grid.dims[axis]);
-    voxels[axis] = std::max(1U, static_cast<std::uint32_t>(most));
+    voxels[axis] = std::max(1U, static_cast<std::uint32_t>(max_step));
   }
   return voxels;
 }
@@ -54,11 +54,11 @@ class SliceWindow {
   /// Adds the next slice, and returns its memory for the caller to fill.
   Element* add() { return slot(count_++); }
   /// Limit: a slice that was added and is at most 2 x radius before the last.
-  const Element* at(std::uint32_t z) const { return ring_.data() + place(z); }
+  const Element* at(std::uint32_t z) const { return ring_.data() + offset(z); }
 
  private:
-  std::size_t place(std::uint32_t z) const { return slice_ * (z % (2 * radius_ + 1)); }
-  Element* slot(std::uint32_t z) { return ring_.data() + place(z); }
+  std::size_t offset(std::uint32_t z) const { return slice_ * (z % (2 * radius_ + 1)); }
+  Element* slot(std::uint32_t z) { return ring_.data() + offset(z); }
 
   std::uint32_t depth_, radius_;
   std::size_t slice_;

@@ -155,8 +155,8 @@ class LabelSmoother {
 
   // Smooths unchosen labels, too, because they share walls with chosen ones.
   void keep_all_volumes(std::vector<SmoothedLabel>& all) const {
-    std::map<Sample, std::size_t> places;
-    for (const auto& each : boxes_) places.emplace(each.first, places.size());
+    std::map<Sample, std::size_t> indexes;
+    for (const auto& each : boxes_) indexes.emplace(each.first, indexes.size());
     VolumeKeeping keeping =
         SmoothedVolume::keeping(info_, deviation_mm_, tolerance_, options_.border);
     keeping.jobs = options_.jobs;
@@ -166,8 +166,8 @@ class LabelSmoother {
       };
       const Sample sample =
           samples_[(at(voxel.z) * info_.dims[1] + at(voxel.y)) * info_.dims[0] + at(voxel.x)];
-      const auto found = places.find(sample);
-      return found == places.end() ? VolumeKeeping::none : found->second;
+      const auto found = indexes.find(sample);
+      return found == indexes.end() ? VolumeKeeping::none : found->second;
     };
     std::vector<SmoothSurface> surfaces;
     for (SmoothedLabel& each : all)

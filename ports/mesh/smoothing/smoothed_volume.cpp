@@ -42,16 +42,16 @@ std::array<std::uint32_t, 3> SmoothedVolume::reach(const SampleGrid& info, doubl
   return voxels;
 }
 
-// The first blur still holds a slice's distances three deviations later.
+// The first blur still has a slice's distances three deviations later.
 void SmoothedVolume::read_slice(void* samples) {
   auto* result = static_cast<float*>(samples);
   twice_.next(result);
   const float* once = twice_.sharp();
   const float* distances = once_.sharp(slices_++);
-  const auto least = static_cast<float>(min_distance_mm(info_));
+  const auto min_distance = static_cast<float>(min_distance_mm(info_));
   for (std::size_t i = 0; i < std::size_t{info_.dims[0]} * info_.dims[1]; ++i) {
     const float smooth = 2 * once[i] - result[i];
-    result[i] = distances[i] > 0 ? std::max(smooth, least) : std::min(smooth, -least);
+    result[i] = distances[i] > 0 ? std::max(smooth, min_distance) : std::min(smooth, -min_distance);
   }
 }
 
@@ -64,9 +64,9 @@ void SmoothedVolume::read_mask(float* mask) {
 
 double steps_mm(const SampleGrid& info) {
   const auto distances = info.distances_mm();
-  const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
+  const auto [min, max] = std::minmax_element(distances.begin(), distances.end());
   constexpr double equal = 1.01, of_equal = 1.5;
-  return *most <= equal * *least ? of_equal * *most : *most;
+  return *max <= equal * *min ? of_equal * *max : *max;
 }
 
 double min_distance_mm(const SampleGrid& info) {

@@ -12,14 +12,14 @@ namespace discmc::meshing {
 
 class Frames {
  public:
-  /// Calls take(frame) for every frame that ends in these bytes, including its zero. A frame too
+  /// Calls receive(frame) for every frame that ends in these bytes, including its zero. A frame too
   /// long for a packet is cut, to bound memory.
-  template <class Take>
-  void push(const std::uint8_t* bytes, std::size_t count, Take take) {
+  template <class Receive>
+  void push(const std::uint8_t* bytes, std::size_t count, Receive receive) {
     for (std::size_t i = 0; i < count; ++i) {
       if (frame_.size() <= detail::wire::max_frame || bytes[i] == 0) frame_.push_back(bytes[i]);
       if (bytes[i] != 0) continue;
-      take(static_cast<const std::vector<std::uint8_t>&>(frame_));
+      receive(static_cast<const std::vector<std::uint8_t>&>(frame_));
       frame_.clear();
     }
   }

@@ -2,7 +2,7 @@
 
 namespace discmc::meshing {
 
-std::vector<std::uint8_t> ScanFilter::take(const std::uint8_t* bytes, std::size_t count) {
+std::vector<std::uint8_t> ScanFilter::select(const std::uint8_t* bytes, std::size_t count) {
   std::vector<std::uint8_t> passed;
   frames_.push(bytes, count, [&](const std::vector<std::uint8_t>& frame) {
     if (!is_other_scan(frame)) passed.insert(passed.end(), frame.begin(), frame.end());

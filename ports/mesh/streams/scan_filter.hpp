@@ -15,7 +15,7 @@ class ScanFilter {
   explicit ScanFilter(std::uint16_t scan) : scan_(scan) {}
   /// Returns the complete frames of the scan in these bytes, and bytes that are not packets. An
   /// incomplete frame is returned by the call that completes it.
-  std::vector<std::uint8_t> take(const std::uint8_t* bytes, std::size_t count);
+  std::vector<std::uint8_t> select(const std::uint8_t* bytes, std::size_t count);
 
  private:
   bool is_other_scan(std::vector<std::uint8_t> frame) const;

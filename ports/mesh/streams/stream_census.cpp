@@ -4,7 +4,7 @@
 
 namespace discmc::meshing {
 
-void StreamCensus::take(const std::uint8_t* bytes, std::size_t count) {
+void StreamCensus::add(const std::uint8_t* bytes, std::size_t count) {
   frames_.push(bytes, count, [this](const std::vector<std::uint8_t>& frame) { look_at(frame); });
 }
 

@@ -16,7 +16,7 @@ namespace discmc::meshing {
 /// Finds the headers among the frames of a link.
 class StreamCensus {
  public:
-  void take(const std::uint8_t* bytes, std::size_t count);
+  void add(const std::uint8_t* bytes, std::size_t count);
   /// Returns one header per stream, in the order of arrival.
   const std::vector<StreamHeader>& headers() const { return headers_; }
   /// Returns the version of the last header whose version is not detail::wire::version.

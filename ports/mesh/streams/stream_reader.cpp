@@ -23,9 +23,9 @@ void StreamReader::read(std::istream& in, const std::function<void(std::uint64_t
 }
 
 void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
-  census_.take(bytes, count);
+  census_.add(bytes, count);
   if (filter_) {
-    const std::vector<std::uint8_t> chosen = filter_->take(bytes, count);
+    const std::vector<std::uint8_t> chosen = filter_->select(bytes, count);
     decode(chosen.data(), chosen.size());
   } else {
     decode(bytes, count);
@@ -62,7 +62,7 @@ void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {
     bytes += decoded.bytes;
     count -= decoded.bytes;
     if (decoded.status == Status::too_little_memory && memory_ == nullptr)
-      decoded.status = give_memory();
+      decoded.status = set_memory();
     else if (decoded.status == Status::suspended)
       decoded.status = skip_lost_rows();
   } while (decoded.status == Status::ok && count > 0);
@@ -86,13 +86,13 @@ Status StreamReader::skip_lost_rows() {
 
 // Reserves enough for surfaces of any size. Unused memory costs nothing; pieces without room are
 // joined later.
-Status StreamReader::give_memory() {
+Status StreamReader::set_memory() {
   const Limits limits{header().width, header().height, header().border};
   constexpr std::uint64_t for_chains = std::uint64_t{64} << 20;
   const std::size_t bytes =
       SurfaceDecoder::minimum_bytes(limits, header().surface_count, header().levels) + for_chains;
   memory_.reset(new std::uint8_t[bytes]);
-  return decoder_.give_memory({memory_.get(), bytes});
+  return decoder_.set_memory({memory_.get(), bytes});
 }
 
 }  // namespace discmc::meshing

@@ -59,7 +59,7 @@ class StreamReader {
  private:
   void decode(const std::uint8_t* bytes, std::size_t count);
   void require_ok() const;
-  Status give_memory();
+  Status set_memory();
   Status skip_lost_rows();
 
   StreamChoice choice_;

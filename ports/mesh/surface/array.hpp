@@ -35,8 +35,8 @@ class Array {
   T* end() { return data_ + size_; }
   const T* begin() const { return data_; }
   const T* end() const { return data_ + size_; }
-  const T& operator[](std::size_t place) const { return data_[place]; }
-  T& operator[](std::size_t place) { return data_[place]; }
+  const T& operator[](std::size_t index) const { return data_[index]; }
+  T& operator[](std::size_t index) { return data_[index]; }
   const T& back() const { return data_[size_ - 1]; }
   T& back() { return data_[size_ - 1]; }
 
@@ -66,9 +66,9 @@ class Array {
   }
 
  private:
-  void grow(std::size_t least) {
+  void grow(std::size_t min_capacity) {
     constexpr std::size_t first = 16;
-    const std::size_t capacity = std::max({least, 2 * capacity_, first});
+    const std::size_t capacity = std::max({min_capacity, 2 * capacity_, first});
     void* const data = std::realloc(static_cast<void*>(data_), capacity * sizeof(T));
     if (data == nullptr) throw std::bad_alloc();
     data_ = static_cast<T*>(data);

@@ -82,7 +82,7 @@ class Rays {
     }
   }
 
-  // Calls call(component of the ray, meeting) for all that a ray meets.
+  // Calls call(component of the ray, meeting) for each meeting of a ray.
   template <class Call>
   void for_each_meeting(const Call& call) {
     std::sort(meetings_.begin(), meetings_.end());
@@ -110,8 +110,8 @@ class Rays {
     const Vertex& high = a.z < b.z ? b : a;
     const Doubled slope = high.y > low.y ? 1 : high.y < low.y ? -1 : 0;
     const Doubled begin = Doubled{2} * low.z, end = Doubled{2} * high.z;
-    for (std::size_t line = line_from({begin, least}); line < lines_.size();
-         line = line_from({lines_[line][0] + 1, least})) {
+    for (std::size_t line = line_from({begin, lowest}); line < lines_.size();
+         line = line_from({lines_[line][0] + 1, lowest})) {
       const Doubled z = lines_[line][0];
       if (z >= end) return;
       crossings_.push_back({z, Doubled{2} * low.y + slope * (z - begin)});
@@ -123,7 +123,7 @@ class Rays {
     return Doubled{2} * vertex.x - n.x * (n.y * y + n.z * z);
   }
 
-  static constexpr Doubled least = INT64_MIN;
+  static constexpr Doubled lowest = INT64_MIN;
 
   std::vector<Start> starts_;
   std::vector<RayLine> lines_;  // of the starts, in order
@@ -135,16 +135,16 @@ bool is_cavity(const Component& component) {
   return component.volume_mm3 < 0;
 }
 
-// Rays from all cavities, or from all bodies, to the polygons of the others.
+// Returns the rays from all cavities, or from all bodies, to the polygons of the others.
 Rays rays_between(const Surface& surface, const std::vector<Component>& components,
-                  bool from_cavities) {
+                  bool is_from_cavities) {
   std::vector<Start> starts;
   for (std::size_t i = 0; i < components.size(); ++i)
-    if (is_cavity(components[i]) == from_cavities)
+    if (is_cavity(components[i]) == is_from_cavities)
       starts.push_back(start_of(surface, components[i], i));
   Rays rays(std::move(starts));
   for (std::size_t i = 0; i < components.size(); ++i) {
-    if (is_cavity(components[i]) == from_cavities) continue;
+    if (is_cavity(components[i]) == is_from_cavities) continue;
     for (const std::uint32_t polygon : components[i].polygons)
       rays.meet(surface.polygons[polygon], i);
   }

@@ -47,9 +47,9 @@ LineSide line_side(const Vertex& from, Side side, std::uint32_t polygon) {
   if (is_backwards)
     for (std::int32_t& each : step) each = -each;
   const std::int32_t rest = (at[along] % step[along] + step[along]) % step[along];
-  const std::int32_t place = (at[along] - rest) / step[along];
-  const std::int64_t steps = place;
-  LineSide result{{{}, step}, place, place, polygon};
+  const std::int32_t position = (at[along] - rest) / step[along];
+  const std::int64_t steps = position;
+  LineSide result{{{}, step}, position, position, polygon};
   for (std::size_t axis = 0; axis < 3; ++axis)
     result.line.point[axis] = at[axis] - steps * step[axis];
   (is_backwards ? result.begin : result.end) += is_backwards ? -side.links : side.links;
@@ -102,14 +102,14 @@ std::vector<Component> components(const Surface& surface) {
   join_neighbours(sorted_sides(surface), sets);
 
   std::vector<Component> found;
-  std::vector<std::uint32_t> place(surface.polygons.size());
-  for (std::uint32_t i = 0; i < place.size(); ++i) {
+  std::vector<std::uint32_t> index_of(surface.polygons.size());
+  for (std::uint32_t i = 0; i < index_of.size(); ++i) {
     const std::uint32_t name = sets.name(i);
     if (name == i) {
-      place[i] = static_cast<std::uint32_t>(found.size());
+      index_of[i] = static_cast<std::uint32_t>(found.size());
       found.emplace_back();
     }
-    found[place[name]].polygons.push_back(i);
+    found[index_of[name]].polygons.push_back(i);
   }
   const auto& s = surface.spacing_mm;
   const double unit_mm3 = std::fabs(s[0] * s[1] * s[2]) / 8;
@@ -151,12 +151,13 @@ std::vector<std::vector<Component>> grouped(const Surface& surface,
   std::stable_sort(bodies.begin(), bodies.end(), [&](std::size_t a, std::size_t b) {
     return size_of(components[a]) > size_of(components[b]);
   });
-  std::vector<std::size_t> place(components.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) place[bodies[i]] = i;
+  std::vector<std::size_t> index_of(components.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) index_of[bodies[i]] = i;
   std::vector<std::vector<Component>> groups(bodies.size());
-  for (const std::size_t body : bodies) groups[place[body]].push_back(std::move(components[body]));
+  for (const std::size_t body : bodies)
+    groups[index_of[body]].push_back(std::move(components[body]));
   for (std::size_t i = 0; i < body_of.size(); ++i)
-    if (body_of[i] != i) groups[place[body_of[i]]].push_back(std::move(components[i]));
+    if (body_of[i] != i) groups[index_of[body_of[i]]].push_back(std::move(components[i]));
   return groups;
 }
 

@@ -106,18 +106,18 @@ class Polygons {
  public:
   class Iterator {
    public:
-    Iterator(const Polygons& polygons, std::size_t place) : polygons_(&polygons), place_(place) {}
+    Iterator(const Polygons& polygons, std::size_t index) : polygons_(&polygons), index_(index) {}
 
-    Polygon operator*() const { return (*polygons_)[place_]; }
+    Polygon operator*() const { return (*polygons_)[index_]; }
     Iterator& operator++() {
-      ++place_;
+      ++index_;
       return *this;
     }
-    bool operator!=(const Iterator& other) const { return place_ != other.place_; }
+    bool operator!=(const Iterator& other) const { return index_ != other.index_; }
 
    private:
     const Polygons* polygons_;
-    std::size_t place_;
+    std::size_t index_;
   };
 
   Polygons() { ring_begins_.push_back(0); }
@@ -126,8 +126,8 @@ class Polygons {
   Iterator end() const { return {*this, size()}; }
   std::size_t size() const { return records_.size(); }
   bool empty() const { return records_.empty(); }
-  Polygon operator[](std::size_t place) const {
-    const Record& record = records_[place];
+  Polygon operator[](std::size_t index) const {
+    const Record& record = records_[index];
     return {record.incidence,
             {corners_.data(), ring_begins_.data() + record.first_ring, record.rings}};
   }

@@ -84,12 +84,12 @@ void SurfaceBuilder::accept_region(const OneRingRegion& region) {
   incidence_ = region.incidence();
   rings_.clear();
   begin_polygon();
-  if (!add_corners(region) && !is_simple_in_window(0)) {
+  if (!read_region_corners(region) && !is_simple_in_window(0)) {
     ends_.assign(corners_.begin(), corners_.end());
     add_touching_rings(0);
     return end_polygon();
   }
-  // This is an outer ring, and begins at its last vertex.
+  // This is an outer ring that begins at its last vertex.
   simple_rings_.push_back({0, corners_.size()});
   keep_or_count();
 }
@@ -125,23 +125,23 @@ bool SurfaceBuilder::is_sound(const Chain& chain) const {
   return is_always_inside && x == chain.start.x && y == chain.start.y && z == chain.start.z;
 }
 
-// Returns whether the ring only turns left. Most rings do. They are simple, because no ring of a
-// sweep crosses itself.
-bool SurfaceBuilder::add_corners(const OneRingRegion& region) {
+// Reads the corners of a ring. Returns whether it only turns left. Such rings are simple, because
+// no ring of a sweep crosses itself.
+bool SurfaceBuilder::read_region_corners(const OneRingRegion& region) {
   const std::uint32_t count = region.corner_count(), round = direction_count(incidence_);
-  std::uint32_t greatest = 0;
+  std::uint32_t max_turn = 0;
   corners_.resize(count);
   Vertex* corner = corners_.begin();
   for (std::uint32_t i = 0; i < count; ++i) {
     corner[i] = region.corner(i);
-    greatest = std::max(greatest, region.left_turn(i));
+    max_turn = std::max(max_turn, region.left_turn(i));
   }
-  return 2 * greatest < round;
+  return 2 * max_turn < round;
 }
 
-// Returns whether the ring only turns to one side, and winds once, which makes it simple. A stream
-// may hold any ring.
-bool SurfaceBuilder::add_corners(const Chain& chain) {
+// Reads the corners of a ring. Returns whether it only turns to one side, and winds once, which
+// makes it simple. A stream may contain any ring.
+bool SurfaceBuilder::read_chain_corners(const Chain& chain) {
   if (chain.begin == chain.end) return false;
   const int round = direction_count(incidence_);
   int left = 0, right = 0;
@@ -324,7 +324,7 @@ void SurfaceBuilder::end_region() {
       return;
     }
     const std::size_t first_corner = corners_.size();
-    if (add_corners(ring) || is_simple_in_window(first_corner)) {
+    if (read_chain_corners(ring) || is_simple_in_window(first_corner)) {
       end_ring();
     } else {
       collect_ends(ring);

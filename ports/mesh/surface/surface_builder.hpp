@@ -66,8 +66,8 @@ class SurfaceBuilder {
   void end_polygon();
   Chain chain(std::size_t ring) const;
   bool is_sound(const Chain& chain) const;
-  bool add_corners(const OneRingRegion& region);
-  bool add_corners(const Chain& chain);
+  bool read_region_corners(const OneRingRegion& region);
+  bool read_chain_corners(const Chain& chain);
   bool is_simple_in_window(std::size_t first_corner) const;
   void end_ring();
   void add_touching_rings(std::size_t first_corner);

@@ -1,4 +1,4 @@
-// Which vertices of the lattice are corners of polygons.
+// The set of lattice vertices that are corners of polygons.
 #pragma once
 
 #include <array>
@@ -10,13 +10,14 @@
 
 namespace discmc::web {
 
-/// A bit per vertex, in blocks of 8 x 8 x 8 half-steps, where there are any: surfaces are thin.
-/// Memory: four bytes per block of the box around all, and 64 per block with corners.
+/// A bit per vertex, in blocks of 8 x 8 x 8 half-steps. Only blocks with corners exist, because
+/// surfaces are thin. Memory: four bytes per block of the bounding box, and 64 per block with
+/// corners.
 class CornerSet {
  public:
   static constexpr std::int32_t max_coordinate = 32767;
 
-  /// Takes the corners of these polygons. Throws std::runtime_error where they lie beyond
+  /// Adds the corners of these polygons. Throws std::runtime_error if they lie beyond
   /// max_coordinate, or in a box of too many blocks.
   void fill(const meshing::Polygons& polygons);
 

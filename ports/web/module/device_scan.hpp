@@ -1,4 +1,4 @@
-// The same scan on a device: the bytes that leave it, given so much memory.
+// The same scan on a device with this much memory, and the bytes that it sends.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 namespace discmc::web {
 
 struct DeviceScan {
-  std::vector<std::uint8_t> stream;  ///< all of it: a .dmc file
-  std::uint64_t regions = 0;         ///< sent whole
-  std::uint64_t fragments = 0;       ///< sent loose, for the receiver to join
+  std::vector<std::uint8_t> stream;  ///< complete: a .dmc file
+  std::uint64_t regions = 0;         ///< sent as whole regions
+  std::uint64_t fragments = 0;       ///< sent as loose fragments, which the receiver joins
   std::uint64_t memory_used = 0;     ///< Units: bytes
 };
 
-/// The least memory that scan_regions() takes. Units: bytes.
+/// The minimum memory of scan_regions(). Units: bytes.
 std::uint64_t min_memory(const StreamHeader& header);
 
 /// As a stream of regions. Limit: memory >= min_memory(header).

@@ -1,4 +1,4 @@
-// A surface as graphics cards take it: triangles of the merged polygons, and their edges.
+// A surface in the form of graphics cards: triangles of the merged polygons, and their edges.
 #pragma once
 
 #include <array>
@@ -21,25 +21,25 @@ struct DrawnVertex {
 
   std::int16_t x, y, z;
   std::uint8_t incidence;
-  std::uint8_t colour;  ///< below colours; mostly differs from those of neighbouring polygons
+  std::uint8_t colour;  ///< below colours; usually differs from those of neighbouring polygons
 };
 static_assert(sizeof(DrawnVertex) == 8, "the page reads them so");
 
-/// Vertices on straight sides where other polygons end are kept, so the triangles have no
-/// T-junctions. No pixel shows through, and meshes of them are closed.
+/// Keeps vertices on straight sides at which other polygons end, so triangles have no T-junctions.
+/// No pixel shows through, and meshes of the triangles are closed.
 class DrawnSurface {
  public:
-  /// Polygons that cannot be triangulated are left out and counted: no sweep makes them, but a
-  /// damaged stream may. Throws std::runtime_error as CornerSet::fill() does.
+  /// Omits and counts polygons that cannot be triangulated: no sweep makes them, but a damaged
+  /// stream may. Throws std::runtime_error like CornerSet::fill().
   void make(const meshing::Polygons& polygons);
 
   const std::vector<DrawnVertex>& vertices() const { return vertices_; }
-  /// Numbers of vertices, three per triangle, counter-clockwise from outside as the lattice has it.
-  /// In the order of the incidences, so that those which face away can be left out.
+  /// Numbers of vertices, three per triangle, counter-clockwise seen from outside in the lattice.
+  /// Sorted by incidence, so that those facing away can be omitted.
   const std::vector<std::uint32_t>& triangles() const { return triangles_; }
-  /// Where in triangles() those of each incidence end.
+  /// The end of each incidence in triangles().
   const std::vector<std::uint32_t>& triangle_ends() const { return triangle_ends_; }
-  /// Numbers of vertices, two per edge of a polygon, which the polygons on its sides both have.
+  /// Numbers of vertices, two per edge between polygons.
   const std::vector<std::uint32_t>& edges() const { return edges_; }
   std::uint32_t left_out() const { return left_out_; }
 
@@ -56,7 +56,7 @@ class DrawnSurface {
   std::vector<std::uint32_t> triangle_ends_;
   std::vector<std::uint32_t> edges_;
   std::uint32_t left_out_ = 0;
-  // The polygon under way.
+  // The current polygon.
   std::uint32_t number_ = 0;
   std::uint32_t first_vertex_ = 0;
   std::vector<meshing::PlanePoint> points_;

@@ -10,7 +10,7 @@ __attribute__((import_module("page"), import_name("fail"))) extern "C" [[noretur
 __attribute__((import_module("page"), import_name("attempt"))) extern "C" int page_attempt(
     void (*call)(void*), void* context);
 
-// The compiler calls these for a throw. All that is thrown is a std::exception.
+// The compiler calls these for a throw. All exceptions are std::exception.
 extern "C" void* __cxa_allocate_exception(std::size_t bytes) noexcept {
   return std::malloc(bytes);
 }

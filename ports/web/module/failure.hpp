@@ -1,10 +1,10 @@
-// What is thrown here the page catches: there is no unwinding in the module.
+// Exceptions of the module, caught by the page: the module cannot unwind the stack.
 #pragma once
 
 namespace discmc::web {
 
-/// Calls, and returns whether nothing was thrown. The stack is then dropped;
-/// no destructor runs.
+/// Calls the function. Returns whether it threw nothing. After a throw the stack is dropped; no
+/// destructor runs.
 bool attempt(void (*call)(void* context), void* context);
 
 template <class Call>

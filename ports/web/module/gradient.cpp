@@ -12,7 +12,7 @@
 namespace discmc::web {
 namespace {
 
-// The numbers of all vertices, lowest first: by counting, since there are few heights.
+// The numbers of all vertices, lowest first. Sorted by counting, because there are few heights.
 std::vector<std::uint32_t> upwards(const std::vector<DrawnVertex>& vertices, std::uint32_t slices) {
   constexpr std::int32_t lowest = -1;
   std::vector<std::uint32_t> begin(2 * std::size_t{slices} + 2);

@@ -10,8 +10,8 @@
 
 namespace discmc::web {
 
-/// One a vertex, in space: the direction in which the samples fall there; none where they are
-/// level, and on the walls around the volume. iso: the threshold of the surface.
+/// One normal per vertex, in space: the direction in which the samples fall. Zero if the samples
+/// are level, and on the walls around the volume. iso: the threshold of the surface.
 std::vector<OctahedralNormal> gradient_normals(const std::vector<DrawnVertex>& vertices,
                                                const MemoryVolume& volume, double iso);
 

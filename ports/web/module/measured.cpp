@@ -9,7 +9,7 @@
 namespace discmc::web {
 namespace {
 
-// The threshold by a rule; not a number where it does not fit the values.
+// The threshold by a rule; NaN if the values do not suit it.
 double threshold(command::ThresholdRule rule, bool is_in_hounsfield,
                  const command::VolumeStatistics& statistics) {
   double iso = std::numeric_limits<double>::quiet_NaN();

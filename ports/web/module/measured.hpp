@@ -1,4 +1,4 @@
-// What values a volume has, and thresholds to try.
+// The values of a volume, and suggested thresholds.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace discmc::web {
 
-/// Units: those that the file declares. Not a number where there is none.
+/// Units: of the file. NaN if there is none.
 struct Measured {
   static constexpr std::size_t bars = 256;
 
   double least, greatest;              ///< of the finite values
   double dark, bright;                 ///< nearly all values lie between them
-  double automatic, otsu, bone, skin;  ///< thresholds by the command's rules, where they fit
+  double automatic, otsu, bone, skin;  ///< thresholds by the command's rules, if suitable
   double numbers;                      ///< finite values
   std::array<double, bars> histogram;  ///< values in equal steps from least to greatest
 };

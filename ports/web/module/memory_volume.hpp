@@ -1,4 +1,4 @@
-// A volume whose samples are all in memory, as a page has it.
+// A volume with all samples in memory, for a page.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class MemoryVolume {
       : info_(std::move(info)), samples_(info_.slice_bytes() * info_.dims[2]) {}
 
   const command::VolumeInfo& info() const { return info_; }
-  /// Slice after slice, rows of x from y = 0, in the byte order of the machine.
+  /// Slice after slice, rows of x from y = 0, in native byte order.
   std::uint8_t* samples() { return samples_.data(); }
   const std::uint8_t* slice(std::uint32_t z) const {
     return samples_.data() + info_.slice_bytes() * z;
@@ -28,13 +28,13 @@ class MemoryVolume {
   std::vector<std::uint8_t> samples_;
 };
 
-/// One pass over it. Owner: the volume is the caller's.
+/// One pass over the volume. Owner: the caller, of the volume.
 class MemoryReader final : public command::VolumeReader {
  public:
   explicit MemoryReader(const MemoryVolume& volume) : volume_(volume) {}
 
   const command::VolumeInfo& info() const override { return volume_.info(); }
-  /// Limit: as many calls as slices.
+  /// Limit: at most one call per slice.
   void read_slice(void* samples) override {
     std::memcpy(samples, volume_.slice(next_++), info().slice_bytes());
   }

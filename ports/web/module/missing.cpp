@@ -7,7 +7,7 @@
 namespace discmc::web {
 namespace {
 
-// A link of either direction: its ends in order, packed in a number.
+// A link without direction: its ends in order, packed in a number.
 class Link {
  public:
   Link(Vertex from, Vertex way) {
@@ -16,7 +16,7 @@ class Link {
       from = from + way;
       way = Vertex{} - way;
     }
-    // Coordinates are -1 or more, and those of a way -2 to 2.
+    // Coordinates are -1 or more, and those of a vector -2 to 2.
     for (const std::int32_t part : {from.x + 1, from.y + 1, from.z + 1})
       key_ = key_ << 16 | static_cast<std::uint16_t>(part);
     for (const std::int32_t part : {way.x + 2, way.y + 2, way.z + 2})
@@ -40,7 +40,8 @@ class Link {
   bool is_turned_ = false;
 };
 
-// For each link, how many polygons more have it forwards than backwards. Links with 0 are left out.
+// For each link, the number of polygons that have it forwards minus backwards. Links with 0 are
+// omitted.
 using Balance = std::unordered_map<std::uint64_t, int>;
 
 void add_link(const Link& link, Balance& balance) {
@@ -78,7 +79,7 @@ bool Missing::add_open_links(const meshing::Polygons& polygons) {
     }
     if (balance.size() > max_open_links) return false;
   }
-  // Straight on as far as links are open: fewer lines, and the same.
+  // Joins open links in a straight line, to draw fewer lines.
   for (const auto& entry : balance) {
     const Link first(entry.first);
     if (balance.count(first.before().key()) != 0) continue;
@@ -90,7 +91,7 @@ bool Missing::add_open_links(const meshing::Polygons& polygons) {
   return true;
 }
 
-// There an open surface ends.
+// An open surface ends there.
 bool Missing::is_at_border(const Vertex& from, const Vertex& to) const {
   if (header_.border == Border::closed) return false;
   const auto on_face = [](std::int32_t a, std::int32_t b, std::uint32_t extent) {
@@ -116,7 +117,7 @@ void Missing::add_line(const Vertex& from, const Vertex& to) {
                                        static_cast<std::int16_t>(vertex.z)};
   };
   lines_.push_back({narrow(from), narrow(to)});
-  // Between two slices: of both of them.
+  // Between two slices, it belongs to both.
   const auto [low, high] = std::minmax(from.z, to.z);
   const auto first = static_cast<std::uint32_t>(std::max(0, low) / 2);
   const auto last = static_cast<std::uint32_t>((high + 1) / 2);
@@ -134,7 +135,7 @@ void Missing::add_box(const Vertex& low, const Vertex& high) {
       add_line({x, low.y, z}, {x, high.y, z});
       add_line({x, y_of_b, low.z}, {x, y_of_b, high.z});
     }
-  slices_.resize(slices);  // they are known better
+  slices_.resize(slices);  // the lines show these slices more exactly
 }
 
 std::vector<SliceRange> Missing::slices() const {

@@ -1,4 +1,4 @@
-// The missing places of a surface, as lines and as slices.
+// The missing parts of a surface, as lines and as slices.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct MissingLine {
 };
 static_assert(sizeof(MissingLine) == 12, "the page reads them so");
 
-/// From the first to the last, both of them too.
+/// From the first to the last, both included.
 struct SliceRange {
   std::uint32_t first, last;
 };
@@ -35,16 +35,16 @@ class Missing {
   /// header: of the stream, with its depth if that is known.
   explicit Missing(const StreamHeader& header) : header_(header) {}
 
-  /// Boxes around rows that never came.
+  /// Boxes around missing rows.
   void add_rows(const std::vector<MissingRows>& rows);
 
-  /// Links where a polygon has no other beside it. A surface that is whole has none, but where an
-  /// open one ends. Returns false, and adds nothing, where there are more than
-  /// max_open_links, or coordinates beyond 16 bits.
+  /// Links of a polygon without a neighbour. A complete surface has none, except at the ends of an
+  /// open one. Returns false, and adds nothing, if there are more than max_open_links, or
+  /// coordinates beyond 16 bits.
   bool add_open_links(const meshing::Polygons& polygons);
 
   const std::vector<MissingLine>& lines() const { return lines_; }
-  /// In order; none touches the next.
+  /// In order, not adjacent to each other.
   std::vector<SliceRange> slices() const;
 
  private:

@@ -1,7 +1,7 @@
-// What the page calls: page/module.js. One volume or stream at a time, and its surface.
+// The functions that page/module.js calls. One volume or stream at a time, and its surface.
 //
-// What is thrown reaches the page as an error, and other calls may follow. Memory that a call
-// returns is the module's, until the next call of that name.
+// Exceptions reach the page as errors, and other calls may follow. Returned memory belongs to the
+// module, until the next call of the same function.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -39,7 +39,7 @@ const Bytes* bytes_of(const std::vector<Item>& items) {
   return &bytes;
 }
 
-// All numbers in one list: the page names them.
+// All numbers in one list, which the page names.
 template <class... Numbers>
 const double* numbers(Numbers... each) {
   static double list[32];
@@ -98,7 +98,7 @@ EXPORT(release) void release(void* data) {
   std::free(data);
 }
 
-/// Returns where the samples go.
+/// Returns the memory for the samples.
 EXPORT(new_volume)
 std::uint8_t* new_volume(std::uint32_t type, std::uint32_t width, std::uint32_t height,
                          std::uint32_t depth, double x_mm, double y_mm, double z_mm, double slope,
@@ -120,8 +120,8 @@ EXPORT(measure) const Measured* measure() {
   return &result;
 }
 
-/// Sweeps the volume. Returns how many there are: cells, facets, triangles of classic Marching
-/// Cubes, polygons, rings.
+/// Sweeps the volume. Returns the numbers of cells, facets, triangles of classic Marching Cubes,
+/// polygons, and rings.
 EXPORT(extract) const double* extract(double iso, std::uint32_t is_filtered) {
   State& all = state();
   const command::VolumeInfo& info = all.volume->info();
@@ -134,7 +134,7 @@ EXPORT(extract) const double* extract(double iso, std::uint32_t is_filtered) {
                  statistics.regions, statistics.rings);
 }
 
-/// Triangulates the polygons. Returns how many had to be left out.
+/// Triangulates the polygons. Returns the number of omitted ones.
 EXPORT(draw) std::uint32_t draw() {
   state().drawn.make(polygons());
   return state().drawn.left_out();
@@ -156,7 +156,7 @@ EXPORT(normals) const Bytes* normals() {
   return bytes_of(state().normals);
 }
 
-/// The polygons as numbers: incidence, count of rings, and of each ring the count of its corners
+/// The polygons as numbers: incidence, number of rings, and for each ring the number of its corners
 /// and their coordinates.
 EXPORT(polygons) const Bytes* polygons_as_numbers() {
   std::vector<std::int32_t>& list = state().polygons;
@@ -174,7 +174,7 @@ EXPORT(polygons) const Bytes* polygons_as_numbers() {
   return bytes_of(list);
 }
 
-/// Triangles of classic Marching Cubes of the same threshold, without the filter.
+/// Triangles of classic Marching Cubes for the same threshold, without the filter.
 EXPORT(classic) void classic() {
   State& all = state();
   MemoryReader reader(*all.volume);
@@ -197,7 +197,7 @@ EXPORT(classic_triangles) const Bytes* classic_triangles() {
 EXPORT(min_memory) double min_memory() {
   return static_cast<double>(web::min_memory(header()));
 }
-/// The extracted scan on a device; memory 0: as a stream of slices. Returns: bytes, regions sent
+/// The extracted scan on a device. memory: 0 for a stream of slices. Returns: bytes, regions sent
 /// whole, loose fragments, bytes of memory used.
 EXPORT(scan) const double* scan(double memory) {
   DeviceScan& scan = state().scan;
@@ -209,8 +209,8 @@ EXPORT(stream) const Bytes* stream() {
   return bytes_of(state().scan.stream);
 }
 
-/// The voxels of a plane across an axis (0, 1, 2), a byte each. Values from dark to bright become
-/// steps 0 to 127; a voxel that is on has 128 more. Rows along the first of the other two axes.
+/// The voxels of a plane across an axis (0, 1, 2), a byte each. Values from dark to bright become 0
+/// to 127; on voxels have 128 more. Rows run along the first of the other two axes.
 EXPORT(picture)
 const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, double bright) {
   const MemoryVolume& volume = *state().volume;
@@ -236,7 +236,7 @@ const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, doubl
   return bytes_of(picture);
 }
 
-/// In a link with several surfaces, this one; negative: the first.
+/// The surface to read on a link with several; negative: the first.
 EXPORT(new_stream) void new_stream(std::int32_t scan, std::int32_t channel) {
   meshing::StreamChoice choice;
   if (scan >= 0) choice.scan = static_cast<std::uint16_t>(scan);
@@ -249,7 +249,8 @@ EXPORT(push_stream) void push_stream(const std::uint8_t* bytes, std::size_t coun
 EXPORT(end_stream) void end_stream() {
   state().stream->finish();
 }
-/// Makes its mesh, relaxed or else interpolated. Returns how many polygons had to be left out.
+/// Makes the mesh of the stream, relaxed or else interpolated. Returns the number of omitted
+/// polygons.
 EXPORT(move) std::uint32_t move(std::uint32_t relaxes) {
   state().moved.make(*state().stream, relaxes != 0);
   return static_cast<std::uint32_t>(state().moved.left_out());
@@ -263,7 +264,7 @@ EXPORT(moved_normals) const Bytes* moved_normals() {
 EXPORT(moved_triangles) const Bytes* moved_triangles() {
   return bytes_of(state().moved.triangles());
 }
-/// Looks for what of it is missing.
+/// Finds the missing parts of the stream.
 EXPORT(find_missing) void find_missing(std::uint32_t is_end) {
   const Missing missing = state().stream->missing(is_end != 0);
   state().missing_lines = missing.lines();
@@ -275,7 +276,7 @@ EXPORT(missing_lines) const Bytes* missing_lines() {
 EXPORT(missing_slices) const Bytes* missing_slices() {
   return bytes_of(state().missing_slices);
 }
-/// Returns what is known of the stream so far: see page/module.js.
+/// Returns the current state of the stream: see page/module.js.
 EXPORT(stream_state) const double* stream_state() {
   const StreamSurface& stream = *state().stream;
   const StreamHeader& header = stream.reader().header();
@@ -291,8 +292,8 @@ EXPORT(stream_state) const double* stream_state() {
                  report.totals.classic_triangles, report.bytes, header.border == Border::closed,
                  header.levels);
 }
-/// The axes of the voxels in space, one after another, 0 if there are none; and whether space
-/// is RAS.
+/// The axes of the voxels in space, one after another; 0 if there are none. Then whether space is
+/// RAS.
 EXPORT(stream_axes) const double* stream_axes() {
   const auto& placement = state().stream->placement();
   const auto& axes = placement.value_or(Placement{}).axes_nm;

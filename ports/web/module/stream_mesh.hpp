@@ -1,4 +1,4 @@
-// The surface of a stream, with its vertices off the middles between voxels.
+// The surface of a stream, with vertices moved off the midpoints between voxels.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,20 @@
 
 namespace discmc::web {
 
-/// A closed mesh without T-junctions, as MeshReceiver::mesh() makes it.
+/// A closed mesh without T-junctions, like that of MeshReceiver::mesh().
 class StreamMesh {
  public:
-  /// relaxes: as MeshOptions; else it interpolates by the fractions of the stream. Throws as
+  /// relaxes: as MeshOptions; otherwise interpolates by the fractions of the stream. Throws like
   /// Crossings and build_mesh().
   void make(const StreamSurface& stream, bool relaxes);
 
-  /// Three a vertex. Units: half-steps.
+  /// Three per vertex. Units: half-steps.
   const std::vector<float>& places() const { return places_; }
-  /// Three a vertex: unit vectors in space, outwards.
+  /// Three per vertex: unit vectors in space, outwards.
   const std::vector<float>& normals() const { return normals_; }
-  /// Numbers of vertices, three a triangle, in the order of DrawnSurface::triangles().
+  /// Numbers of vertices, three per triangle, in the order of DrawnSurface::triangles().
   const std::vector<std::uint32_t>& triangles() const { return triangles_; }
-  /// How many polygons cannot be triangulated.
+  /// The number of polygons that cannot be triangulated.
   std::size_t left_out() const { return left_out_; }
 
  private:

@@ -21,7 +21,7 @@ SinkResult StreamSurface::accept(const Event& event) {
   return surface_.accept(event);
 }
 
-// Rows of a slice that follow each other are one, and so are slices that follow each other.
+// Joins successive rows of a slice, and successive slices.
 void StreamSurface::note_skipped(std::uint32_t slice, std::uint32_t row) {
   constexpr std::size_t most = std::size_t{1} << 16;
   if (!rows_.empty() && rows_.back().slices.last == slice && rows_.back().last_row + 1 == row)

@@ -1,4 +1,4 @@
-// The surface of a stream (.dmc), whatever of it arrived.
+// The surface of the received part of a stream (.dmc).
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace discmc::web {
 
-/// The surface of a stream of either kind; of a link with several surfaces, one.
+/// The surface of a stream of either kind; on a link with several surfaces, one of them.
 class StreamSurface {
  public:
   explicit StreamSurface(const meshing::StreamChoice& choice);
@@ -23,21 +23,21 @@ class StreamSurface {
   StreamSurface& operator=(const StreamSurface&) = delete;
 
   SinkResult accept(const Event& event);
-  /// Throws as StreamReader::push().
+  /// Throws like StreamReader::push().
   void push(const std::uint8_t* bytes, std::size_t count);
-  /// Limit: the last call. Throws as StreamReader::finish().
+  /// Limit: the last call. Throws like StreamReader::finish().
   void finish();
 
   const meshing::StreamReader& reader() const { return reader_; }
-  /// The place of the volume, if the stream has a placement.
+  /// The placement of the volume, if the stream has one.
   const std::optional<Placement>& placement() const { return placement_; }
-  /// Regions that came in pieces of which some did not are among the lost ones.
+  /// Regions with missing pieces count as lost.
   StreamReport report() const;
   /// Its spacing is that of the stream.
   const meshing::Surface& surface() const { return surface_.surface(); }
   const meshing::Polygons& polygons() const { return surface().polygons; }
   const meshing::SentFractions& fractions() const { return fractions_; }
-  /// The places of missing rows, and at the end, after finish(), of missing polygons.
+  /// The positions of missing rows, and after finish() of missing polygons.
   Missing missing(bool is_end) const;
 
  private:
@@ -47,7 +47,7 @@ class StreamSurface {
   meshing::SentFractions fractions_;
   meshing::StreamReader reader_;
   std::optional<Placement> placement_;
-  std::vector<MissingRows> rows_;  // the first of those that are skipped
+  std::vector<MissingRows> rows_;  // the first of the skipped rows
 };
 
 }  // namespace discmc::web

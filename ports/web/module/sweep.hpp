@@ -1,4 +1,4 @@
-// Polygons from bits, as often as the threshold changes.
+// Makes polygons from bits for each new threshold.
 #pragma once
 
 #include <cstdint>

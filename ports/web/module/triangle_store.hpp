@@ -1,4 +1,4 @@
-// Triangulations that are remembered: most polygons of a surface have few corners, and few shapes.
+// Stores triangulations, because most polygons of a surface have few corners, and few shapes.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace discmc::web {
 
-/// As a Triangulator, which makes shapes that are not stored yet. It keeps its memory, and the
-/// shapes, from one surface to the next.
+/// Like a Triangulator, which triangulates shapes that are not stored yet. Keeps its memory, and
+/// the shapes, from one surface to the next.
 class TriangleStore {
  public:
   TriangleStore();
 
-  /// As Triangulator::triangulate(). points: the first is at 0, 0. The triples are valid until the
-  /// next call.
+  /// Like Triangulator::triangulate(). points: the first is at 0, 0. The triples are valid until
+  /// the next call.
   struct Triangles {
     const meshing::Triangle* begin;
     std::size_t count;
@@ -28,7 +28,7 @@ class TriangleStore {
   static constexpr std::size_t max_points = 16;
   static constexpr std::size_t slot_count = std::size_t{1} << 15;
 
-  // One ring of few points, none of them far from the first.
+  // One ring of few points, all near the first one.
   struct Shape {
     std::uint32_t points = 0;
     std::int8_t at[2 * max_points] = {};
@@ -43,7 +43,7 @@ class TriangleStore {
   Slot& slot_of(const Shape& shape);
 
   meshing::Triangulator triangulator_;
-  std::vector<Slot> slots_;  // one shape each: the last that fell there
+  std::vector<Slot> slots_;  // one shape each: the last one with this hash
 };
 
 }  // namespace discmc::web

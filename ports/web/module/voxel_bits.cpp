@@ -19,7 +19,7 @@ void VoxelBits::select(const MemoryVolume& volume, double iso) {
     selector.select(volume.slice(z), bits_.data() + z * height_ * row_bytes_, row_bytes_);
 }
 
-// In place: a row comes out long after it went in.
+// In place, because a row is returned long after it was added.
 void VoxelBits::filter() {
   meshing::OwnFilter own({width_, height_});
   std::uint8_t* next = bits_.data();

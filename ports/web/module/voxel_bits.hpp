@@ -1,4 +1,4 @@
-// Which voxels of a volume are on, all of them.
+// The on voxels of a whole volume.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace discmc::web {
 
-/// Rows of bits as Extractor::push_bits() takes them: eight voxels a byte, the first in bit 0.
+/// Rows of bits like those of Extractor::push_bits(): eight voxels per byte, the first in bit 0.
 class VoxelBits {
  public:
-  /// A voxel is on where its value is >= iso. Memory: an eighth of a byte per voxel.
+  /// A voxel is on if its value is >= iso. Memory: an eighth of a byte per voxel.
   void select(const MemoryVolume& volume, double iso);
-  /// Takes noise away: see majority_filter.hpp. Limit: after select().
+  /// Removes noise: see majority_filter.hpp. Limit: after select().
   void filter();
 
   std::uint32_t rows() const { return height_ * depth_; }

@@ -1,4 +1,4 @@
-// Runs the command discmc and vtk_mesh in turns, from raw volumes to STL and PLY files. Prints
+// Runs the command discmc and vtk_mesh alternately, from raw volumes to STL and PLY files. Prints
 // their processor time on one thread, their time on two threads, and their peak memory.
 // scripts/tools/bench-command builds and runs it.
 #include <fcntl.h>
@@ -97,10 +97,10 @@ std::string joined(const Arguments& words) {
   return text;
 }
 
-// How many times as long VTK takes.
+// Returns VTK's time divided by that of discmc.
 using Ratios = std::vector<double>;
 
-// The figure that counts: processor time on one thread, the time on a clock on several.
+// Returns the compared time: processor time for one thread, wall time for several.
 double seconds_of(const Cost& cost, int threads) {
   return threads == 1 ? cost.processor_seconds : cost.elapsed_seconds;
 }

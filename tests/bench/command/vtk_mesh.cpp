@@ -1,7 +1,7 @@
-// What a program of VTK does to make a mesh file of a volume: FlyingEdges3D, and the STL or PLY
+// A typical program of VTK that writes a mesh file of a volume: FlyingEdges3D, and the STL or PLY
 // writer.
-// Arguments: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT THREADS; the file holds samples
-// alone.
+// Arguments: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT THREADS. The file contains only
+// samples.
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageReader2.h>
 #include <vtkNew.h>

@@ -31,7 +31,7 @@ class Scan {
  public:
   explicit Scan(const Volume& volume) : volume_(volume) {}
 
-  // regions: offered whole regions before the sink receives their events.
+  // regions: receives whole regions before the sink receives their events.
   void extract(const Sink& sink, const RegionReceiver& regions = {}) {
     scan_.start({volume_.width, volume_.height, Border::open}, sink, regions);
     std::visit([this](const auto& samples) { push(samples.data()); }, volume_.samples);
@@ -67,8 +67,8 @@ class Scan {
   meshing::HostScan scan_;
 };
 
-// Polygons in arrays, as meshes are kept: a region has rings, a ring has corners. The vertex where
-// a ring starts is kept even within a side.
+// Polygons in arrays, like those of a mesh: a region has rings, a ring has corners. The start of a
+// ring is kept even if it lies within a side.
 class Polygons {
  public:
   SinkResult accept(const Event& event) {
@@ -124,7 +124,7 @@ class Polygons {
   Direction direction_ = none;
 };
 
-size_t take_bytes(void*, const uint8_t*, size_t count) {
+size_t discard_bytes(void*, const uint8_t*, size_t count) {
   return count;
 }
 
@@ -145,7 +145,7 @@ std::vector<Contender> discmc_contenders(const Volume& volume) {
   };
   const auto stream = [scan] {
     Encoder encoder;
-    meshing::require(encoder.start(scan->header().label(), {nullptr, take_bytes}));
+    meshing::require(encoder.start(scan->header().label(), {nullptr, discard_bytes}));
     scan->extract(make_sink(encoder));
     return encoder.bytes();
   };

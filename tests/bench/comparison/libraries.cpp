@@ -1,4 +1,4 @@
-// What concerns the other libraries as a whole.
+// Settings of the other libraries.
 #include <malloc.h>
 #include <meshoptimizer.h>
 #include <openvdb/version.h>

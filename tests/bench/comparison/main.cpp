@@ -1,5 +1,5 @@
-// Times discmc beside other libraries, in one process and on one thread; scripts/bench builds and
-// runs it.
+// Compares the times of discmc and other libraries, in one process and on one thread. scripts/bench
+// builds and runs it.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

@@ -7,7 +7,7 @@ namespace discmc::bench {
 
 namespace {
 
-// Processor time, which other programs on the machine disturb less than the time of day.
+// Processor time, which depends less on other programs than wall time.
 double nanoseconds_now() {
   return static_cast<double>(std::clock()) * (1e9 / static_cast<double>(CLOCKS_PER_SEC));
 }

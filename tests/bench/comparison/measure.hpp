@@ -1,4 +1,4 @@
-// Times contenders in turns.
+// Measures the times of contenders alternately.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace discmc::bench {
 struct Result {
   std::string contender;
   std::string unit;
-  uint64_t made;       ///< how many of the unit
-  double nanoseconds;  ///< of processor time, the median
+  uint64_t made;       ///< size of the result, in the contender's unit
+  double nanoseconds;  ///< median of the processor time
 };
 
-/// What came of one volume.
+/// The results for one volume.
 struct Measurement {
   std::string volume;
   uint64_t voxels;
@@ -25,8 +25,8 @@ struct Measurement {
   std::vector<Result> results;  ///< in the order of the contenders
 };
 
-/// Runs each once to warm up and then all in turns, so that a slow spell of the machine hits them
-/// alike. There are at least 5 rounds, and up to 25 until a second has passed.
+/// Runs each contender once to warm up, then all alternately, so that slow periods of the machine
+/// affect all. Runs at least 5 rounds, and up to 25 until a second has passed.
 std::vector<Result> measure(const std::vector<Contender>& contenders);
 
 }  // namespace discmc::bench

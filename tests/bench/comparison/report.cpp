@@ -9,10 +9,10 @@ namespace discmc::bench {
 
 namespace {
 
-// With fewer cells the figure would show the cost of a call, not of cells.
+// With fewer cells, the figure would be the cost of a call, not of cells.
 constexpr uint64_t many_cells = 50'000;
 
-using Cells = std::vector<std::string>;  // of a table's row
+using Cells = std::vector<std::string>;  // of a row of the table
 
 void print_row(const Cells& cells) {
   for (const std::string& cell : cells) std::printf("| %s ", cell.c_str());
@@ -58,7 +58,7 @@ void print_times(const std::vector<Measurement>& measurements) {
   }
 }
 
-// The time of one contender divided by that of one of discmc's.
+// Returns a contender's time divided by that of a contender of discmc.
 struct Ratio {
   std::string name;
   size_t other, ours;
@@ -79,7 +79,7 @@ std::vector<Ratio> ratios(const std::vector<Result>& results) {
   return ratios;
 }
 
-// A row of the geometric means of some of the measurements, if there are any.
+// A row of the geometric means of some measurements, if there are any.
 void print_means(const std::string& name, const std::vector<Measurement>& measurements,
                  const std::vector<Ratio>& ratios,
                  const std::function<bool(const Measurement&)>& is_counted) {

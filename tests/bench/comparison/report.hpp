@@ -1,4 +1,4 @@
-// What was measured, as tables in Markdown.
+// Prints measurements as tables in Markdown.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@ enum Place : size_t { counting, polygons, stream, flying_edges_3d, first_simplif
 /// The row of a contender in the table of an empty volume.
 enum PlaceOfEmpty : size_t { empty_plain_pass, empty_vector_pass, empty_counting };
 
-/// Nanoseconds an active cell; how many times as long the others take, with geometric means; and
-/// what came out.
+/// Nanoseconds per active cell, the other contenders' times relative to discmc with geometric
+/// means, and the sizes of the results.
 void print_surfaces(const std::vector<Measurement>& measurements);
 
-/// Empty volumes: nanoseconds a voxel, and how many times as long as a pass discmc takes.
+/// Empty volumes: nanoseconds per voxel, and discmc's time relative to a pass over the samples.
 void print_empty(const std::vector<Measurement>& measurements);
 
 }  // namespace discmc::bench

@@ -23,7 +23,7 @@ namespace discmc::bench {
 
 namespace {
 
-// The largest distance of merged triangles from their plane. Units: voxels.
+// The maximum distance of merged triangles from their plane. Units: voxels.
 constexpr double tolerance = 0.1;
 
 std::array<uint32_t, 3> dims_of(const Volume& volume) {
@@ -66,7 +66,7 @@ std::vector<unsigned> indices_of(vtkPolyData& triangles) {
   return indices;
 }
 
-// Returns how many triangles are left.
+// Returns the number of remaining triangles.
 uint64_t simplify(vtkPolyData& triangles) {
   if (triangles.GetNumberOfPolys() == 0) return 0;
   std::vector<unsigned> indices = indices_of(triangles);

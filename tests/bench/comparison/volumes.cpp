@@ -27,8 +27,8 @@ uint8_t clamped(double sample) {
   return static_cast<uint8_t>(std::clamp(sample, 0.0, 255.0));
 }
 
-// Each sample becomes the sum of the five around it along one axis; the volume
-// continues periodically. distance: between neighbours along the axis, in samples.
+// Replaces each sample by the sum of the five samples around it along one axis. The volume is
+// periodic. distance: between neighbours along the axis. Units: samples.
 void add_neighbours(std::vector<uint16_t>& samples, size_t distance, size_t extent) {
   const std::vector<uint16_t> old = samples;
   for (size_t i = 0; i < samples.size(); ++i) {
@@ -72,7 +72,7 @@ Volume gyroid(uint32_t extent) {
 
 Volume smooth_noise(uint32_t extent) {
   const size_t row = extent, slice = row * row;
-  std::mt19937 random;  // the same numbers from every standard library
+  std::mt19937 random;  // equal numbers from every standard library
   std::vector<uint16_t> samples(slice * extent);
   for (uint16_t& sample : samples) sample = static_cast<uint16_t>(random() & 0xFF);
   for (const size_t distance : {size_t{1}, row, slice}) add_neighbours(samples, distance, extent);

@@ -1,4 +1,4 @@
-// The volumes that are benchmarked: generated ones, and those of a folder.
+// The volumes of the benchmark: generated ones, and those of a folder.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@ namespace discmc::bench {
 /// x runs fastest, then y, then z.
 using Samples = std::variant<std::vector<uint8_t>, std::vector<uint16_t>, std::vector<int16_t>>;
 
-/// A volume in memory and the threshold of its surface: a voxel is on where its sample is >= it.
+/// A volume in memory and the threshold of its surface. A voxel is on if its sample is >= the
+/// threshold.
 struct Volume {
   std::string name;
   uint32_t width, height, depth;
@@ -29,14 +30,14 @@ Volume ball(uint32_t extent);
 /// The same with noise of up to 10 in each sample.
 Volume noisy_ball(uint32_t extent);
 
-/// Triply periodic, smooth and curved everywhere; periods of 32 voxels.
+/// Triply periodic, smooth, and curved everywhere, with periods of 32 voxels.
 Volume gyroid(uint32_t extent);
 
-/// Random samples, each the sum of the 5x5x5 around it: bumps and holes at the smallest scale that
-/// scans have. Integers alone, so that it is the same on every machine.
+/// Random samples, each the sum of the 5x5x5 samples around it: bumps and holes of the smallest
+/// scale in scans. Only integers, so it is equal on every machine.
 Volume smooth_noise(uint32_t extent);
 
-/// Every second voxel: as many active cells as there can be, and nothing to merge.
+/// A checkerboard: the maximum number of active cells, and nothing to merge.
 Volume checkerboard(uint32_t extent);
 
 /// No voxel is on. Sample: uint8_t or uint16_t.
@@ -51,18 +52,18 @@ Volume empty(uint32_t extent) {
           std::vector<Sample>(voxels)};
 }
 
-/// 1 for a voxel that is on, else 0.
+/// 1 for an on voxel, else 0.
 std::vector<uint8_t> voxels_on(const Volume& volume);
 
-/// Cells between eight voxels of which some are on and some off.
+/// Cells with on and off voxels at their corners.
 uint64_t active_cells(const Volume& volume);
 
-/// The volume of a file, with the file's name, and a threshold of 0. Throws command::VolumeError
-/// when it cannot be read.
+/// The volume of a file, named after it, with a threshold of 0. Throws command::VolumeError if it
+/// cannot be read.
 Volume read_volume(const std::filesystem::path& file);
 
-/// Every volume of the folder that has a JSON file beside it, {"file": "head.nrrd", "iso": [500]},
-/// at each of its thresholds. Throws command::VolumeError when one cannot be read.
+/// Every volume of a folder with a JSON file, {"file": "head.nrrd", "iso": [500]}, at each of its
+/// thresholds. Throws command::VolumeError if one cannot be read.
 std::vector<Volume> volumes_in(const std::filesystem::path& folder);
 
 }  // namespace discmc::bench

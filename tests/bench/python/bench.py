@@ -1,4 +1,4 @@
-"""Times the Python package beside scikit-image, VTK, PyMCubes and zmesh, where these are installed.
+"""Compares the times of the Python package, scikit-image, VTK, PyMCubes and zmesh, if installed.
 
 usage: bench.py [FOLDER]; FOLDER has volumes, each with a JSON file of its name that lists thresholds.
 `scripts/bench --python` builds the package and runs this. Prints tables in Markdown.
@@ -16,11 +16,11 @@ import tempfile
 from pathlib import Path
 
 ROUNDS = 3
-POINTS = 20000  # of which the mean distance is measured
+POINTS = 20000  # samples for the mean distance
 
 
 def memory(field):
-    """Bytes of this process by /proc: VmRSS now, VmHWM at the peak."""
+    """Bytes of this process from /proc: VmRSS now, VmHWM at the peak."""
     for line in open('/proc/self/status'):
         if line.startswith(field):
             return int(line.split()[1]) * 1024
@@ -70,7 +70,7 @@ def vtk_image(array):
 
 
 def vtk_mesh(algorithm):
-    """Runs it, and converts its points and triangles to NumPy."""
+    """Runs the call, and converts its points and triangles to NumPy."""
     from vtkmodules.util import numpy_support
 
     algorithm.Update()
@@ -154,7 +154,7 @@ OF_LABELS = {
 
 
 def mean_distance(vertices, faces, array, level):
-    """The mean distance of points of the mesh to the surface of the samples, in voxels."""
+    """The mean distance of points of the mesh from the surface of the samples. Units: voxels."""
     import numpy as np
     from vtkmodules.vtkCommonCore import mutable
     from vtkmodules.vtkCommonDataModel import vtkCellLocator
@@ -189,7 +189,7 @@ def measure(name, file, level):
     array = np.load(file)
     try:
         call = (OF_LEVELS | OF_LABELS)[name](array, level)
-        # What libraries set up at their first call is none of the volume's.
+        # Excludes what libraries initialise at their first call.
         (OF_LEVELS | OF_LABELS)[name](np.ascontiguousarray(array[:8, :8, :8] // 2 * 0 + np.arange(
             8, dtype=array.dtype)), 4)()
     except ImportError:
@@ -197,7 +197,7 @@ def measure(name, file, level):
     import time
 
     with open('/proc/self/clear_refs', 'w') as peak:
-        peak.write('5')  # the peak from here on
+        peak.write('5')  # the peak from now on
     before = memory('VmRSS')
     begin = time.process_time()
     found = call()
@@ -213,7 +213,7 @@ def measure(name, file, level):
 
 
 def generated(size, kind):
-    """A gyroid that grows finer along an axis, with values around 128."""
+    """A gyroid whose period shrinks along an axis, with values around 128."""
     import numpy as np
 
     steps = np.linspace(0, 1, size, dtype=np.float32)
@@ -233,7 +233,7 @@ def labelled(size, count):
 
 
 def volumes(folder):
-    """Name, array, levels; none of labels. Between whole numbers every program has the surface of the same voxels."""
+    """Name, array, levels; no levels for labels. With levels between integers, all programs have the same on voxels."""
     import numpy as np
 
     for file in sorted(Path(folder).glob('*.json')) if folder else []:

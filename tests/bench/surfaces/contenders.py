@@ -1,4 +1,4 @@
-"""Other programs that make the meshes that surfaces.py measures, where these are installed."""
+"""Makes the meshes of other programs for surfaces.py, if the programs are installed."""
 
 import shutil
 import subprocess
@@ -20,7 +20,7 @@ except ImportError:
 NII2MESH = shutil.which('nii2mesh')
 
 
-# A process of its own: the memory of this one would count as that of its children.
+# In another process, because the memory of this one would count as that of its children.
 MEASURED = """
 import resource, subprocess, sys
 status = subprocess.call(sys.argv[1:], stderr=subprocess.DEVNULL)
@@ -31,7 +31,7 @@ sys.exit(status)
 
 
 def usage_of(command, folder):
-    """Runs a program. Returns its output, seconds of processor time and MB of memory."""
+    """Runs a program. Returns its output, seconds of processor time, and MB of memory."""
     done = subprocess.run([sys.executable, '-c', MEASURED, *command], cwd=folder, check=True, capture_output=True,
                           text=True)
     output, _, usage = done.stdout.rstrip().rpartition('\n')
@@ -71,7 +71,7 @@ def skimage_mesh(samples, spacing, level):
 
 
 def write_nifti(path, samples, spacing):
-    """Writes float samples whose voxel (0, 0, 0) is at the origin."""
+    """Writes float samples with voxel (0, 0, 0) at the origin."""
     header = bytearray(352)
     header[0:4] = np.int32(348).tobytes()
     header[40:56] = np.array([3, *samples.shape[::-1], 1, 1, 1, 1], np.int16).tobytes()
@@ -87,7 +87,7 @@ def write_nifti(path, samples, spacing):
 
 
 def others(samples, spacing, level, folder, read_ply):
-    """Yields name, vertices, triangles, seconds and MB, or None, of each other program."""
+    """Yields name, vertices, triangles, seconds and MB (or None) of each other program."""
 
     def timed(make, *options):
         before = time.process_time()

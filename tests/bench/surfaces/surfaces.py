@@ -1,4 +1,4 @@
-"""Measures surfaces of the command discmc beside scikit-image, VTK and nii2mesh, where these are installed.
+"""Compares the surfaces of the command discmc, scikit-image, VTK and nii2mesh, if installed.
 
 usage: surfaces.py DISCMC FOLDER; FOLDER gets volumes and meshes. Prints tables in Markdown.
 `scripts/bench --surfaces` builds the command and runs this. Distances are measured by discmc compare.
@@ -18,7 +18,7 @@ DISCMC, FOLDER = os.path.abspath(sys.argv[1]), sys.argv[2]
 
 
 def read_ply(name):
-    """Returns vertices and normals in columns, and triangles."""
+    """Returns vertices and normals as columns, and triangles."""
     with open(os.path.join(FOLDER, name), 'rb') as file:
         header = b''
         while not header.endswith(b'end_header\n'):
@@ -42,7 +42,7 @@ def write_ply(name, vertices, triangles):
 
 
 def extracted(*volume_and_options):
-    """Returns vertices, normals (or none), triangles, seconds and MB."""
+    """Returns vertices, normals (or None), triangles, seconds and MB."""
     _, seconds, megabytes = usage_of([DISCMC, 'extract', *volume_and_options, '-o', 'mesh.ply'], FOLDER)
     rows, triangles = read_ply('mesh.ply')
     return rows[:, :3], rows[:, 3:6] if rows.shape[1] > 3 else None, triangles, seconds, megabytes
@@ -53,7 +53,7 @@ def spaced(spacing):
 
 
 def wrong_edges(triangles):
-    """Edges that are not used by two triangles, once in each direction."""
+    """Returns the edges that are not used by two triangles in opposite directions."""
     starts, ends = triangles.ravel().astype(np.int64), np.roll(triangles, -1, 1).ravel().astype(np.int64)
     edges, place = np.unique(np.minimum(starts, ends) << 32 | np.maximum(starts, ends), return_inverse=True)
     uses = np.bincount(place, minlength=len(edges))
@@ -67,7 +67,7 @@ def crosses(vertices, triangles):
 
 
 def thin(vertices, triangles):
-    """Percent of triangles with an angle below 5 degrees."""
+    """Returns the percentage of triangles with an angle below 5 degrees."""
     corners = vertices[triangles]
     sides = np.roll(corners, -1, 1) - corners
     lengths = np.maximum(np.linalg.norm(sides, axis=2), 1e-300)
@@ -82,7 +82,7 @@ def degrees(vectors, radii):
 
 
 def ball(extent, spacing, radius):
-    """Returns the distances to its surface, positive inside, and its middle."""
+    """Returns the distances from the surface, positive inside, and the centre."""
     shape = [round(extent / step) for step in spacing]
     middle = np.array([(count - 1) / 2 * step + 0.1 for count, step in zip(shape, spacing)])
     z, y, x = np.ogrid[:shape[2], :shape[1], :shape[0]]
@@ -126,7 +126,7 @@ def bench_normals():
 
 
 def bench_samples(title, samples, spacing, level):
-    """Surrounds the samples by the least of them, so that every program closes the surface."""
+    """Surrounds the samples by their minimum, so that every program closes the surface."""
     closed = np.pad(samples, 1, constant_values=samples.min())
     np.save(f'{FOLDER}/closed.npy', closed)
     volume = ('closed.npy', *spaced(spacing), '--iso', str(level))
@@ -146,7 +146,7 @@ def bench_samples(title, samples, spacing, level):
         vertices, _, triangles, seconds, megabytes = extracted(*volume, *options)
         fewer = len(triangles)
         row(' '.join(('discmc', *options)), vertices, triangles, seconds, megabytes)
-    # discmc crosses between whole numbers.
+    # discmc crosses between integers.
     crossing = level - 0.5 if closed.dtype.kind in 'iu' else level
     for name, vertices, triangles, seconds, megabytes in others(closed, spacing, crossing, FOLDER, read_ply):
         write_ply('mesh.ply', vertices, triangles)
@@ -161,7 +161,7 @@ def bench_noise(extent, blur):
 
 
 def read_scan(path, scan):
-    """Returns the samples of a compressed NIfTI or NRRD file, whose dimensions and type scan has."""
+    """Returns the samples of a compressed NIfTI or NRRD file with the dimensions and type of `scan`."""
     with open(path, 'rb') as file:
         content = file.read()
     packed = content if '.nii' in path else content.partition(b'\n\n')[2]

@@ -2,7 +2,7 @@
 //
 //   check_stream STREAM ROWS ROW_COUNT --dims X,Y,Z --threshold ...
 //
-// Prints: `same` or `different`, how many rows are skipped, `whole` or `abandoned`.
+// Prints: `same` or `different`, the number of skipped rows, and `whole` or `abandoned`.
 #include <common/scan_arguments.hpp>
 #include <discmc/decoder.hpp>
 #include <fstream>

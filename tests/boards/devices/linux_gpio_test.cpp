@@ -1,4 +1,4 @@
-// A scan that lines drive: an edge is a row, a missed edge is a skipped one, and nothing is
+// A scan driven by GPIO lines: an edge is a row, a missed edge is a skipped row, and no row is
 // shifted.
 #include <unistd.h>
 #include <gpio/triggered_scan.hpp>
@@ -28,8 +28,8 @@ LineEvent numbered_edge(std::uint32_t number) {
   return edge;
 }
 
-// The queue that Linux has for the events of a line without numbers: while 16 wait, what comes is
-// dropped. Edges come at the given times; the reader comes when it likes and takes what is there.
+// Linux's queue for the events of an unnumbered line: while 16 wait, further events are dropped.
+// Edges come at the given times. The reader reads all waiting events at times of its own.
 class KernelQueue {
  public:
   explicit KernelQueue(std::vector<std::uint64_t> times) : times_(std::move(times)) {}
@@ -71,14 +71,14 @@ struct Stage {
   void edges(std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
       now += 2 * ms;
-      triggered.take(edge_at(now));
+      triggered.process(edge_at(now));
     }
   }
   void press(std::uint64_t length_ns = 200 * ms) {
     now += 50 * ms;
-    triggered.take({LineRole::button, true, now});
+    triggered.process({LineRole::button, true, now});
     now += length_ns;
-    triggered.take({LineRole::button, false, now});
+    triggered.process({LineRole::button, false, now});
   }
   const Bytes& stream() {
     recording.scan.finish();
@@ -139,13 +139,13 @@ TEST_CASE("edges dropped by a full queue are counted for any pace, jitter and pa
       const std::uint64_t jitter = chance.next() % (period / 5);
       times.push_back(time + jitter);
       time += period;
-      if (i % 90 == 80) time += 50 * period;  // the stage turns round
+      if (i % 90 == 80) time += 50 * period;  // the stage reverses
     }
     KernelQueue queue(times);
     EdgeCounter counter;
-    std::vector<std::size_t> rows;  // the edge that each row is taken for
+    std::vector<std::size_t> rows;  // the edge assigned to each row
     std::size_t row = 0;
-    // Up to 30 periods late, but never across a turn, where timestamps are ambiguous.
+    // Up to 30 periods late, but never across a reversal, where timestamps are ambiguous.
     for (std::uint64_t now = 0; !queue.is_over();) {
       now += period / 2;
       const std::size_t at = queue.arrived() % 90;
@@ -161,22 +161,22 @@ TEST_CASE("edges dropped by a full queue are counted for any pace, jitter and pa
 
 TEST_CASE("a press is reported on release, as brief or lengthy") {
   Button button;
-  CHECK(button.take(true, 100 * ms) == Button::Press::none);
-  CHECK(button.take(false, 300 * ms) == Button::Press::brief);
-  CHECK(button.take(true, 2000 * ms) == Button::Press::none);
-  CHECK(button.take(false, 3000 * ms) == Button::Press::lengthy);
-  CHECK(button.take(true, 4000 * ms) == Button::Press::none);
-  CHECK(button.take(false, 4999 * ms) == Button::Press::brief);
+  CHECK(button.update(true, 100 * ms) == Button::Press::none);
+  CHECK(button.update(false, 300 * ms) == Button::Press::brief);
+  CHECK(button.update(true, 2000 * ms) == Button::Press::none);
+  CHECK(button.update(false, 3000 * ms) == Button::Press::lengthy);
+  CHECK(button.update(true, 4000 * ms) == Button::Press::none);
+  CHECK(button.update(false, 4999 * ms) == Button::Press::brief);
 }
 
-TEST_CASE("a button that bounces is pressed once") {
+TEST_CASE("a bouncing button counts as pressed once") {
   Button button;
-  CHECK(button.take(true, 100 * ms) == Button::Press::none);
-  CHECK(button.take(false, 101 * ms) == Button::Press::none);
-  CHECK(button.take(true, 103 * ms) == Button::Press::none);
-  CHECK(button.take(false, 300 * ms) == Button::Press::brief);
-  CHECK(button.take(true, 302 * ms) == Button::Press::none);
-  CHECK(button.take(false, 303 * ms) == Button::Press::none);
+  CHECK(button.update(true, 100 * ms) == Button::Press::none);
+  CHECK(button.update(false, 101 * ms) == Button::Press::none);
+  CHECK(button.update(true, 103 * ms) == Button::Press::none);
+  CHECK(button.update(false, 300 * ms) == Button::Press::brief);
+  CHECK(button.update(true, 302 * ms) == Button::Press::none);
+  CHECK(button.update(false, 303 * ms) == Button::Press::none);
 }
 
 TEST_CASE("1,000 edges are 1,000 rows, and the scan ends") {
@@ -198,13 +198,13 @@ TEST_CASE("the row of a missed edge is skipped, and other rows keep their place"
     if (i % 100 > 96 || i == 0)
       missed.insert(i);
     else
-      stage.triggered.take(numbered_edge(i + 1));
+      stage.triggered.process(numbered_edge(i + 1));
   }
-  // The edges after the last received one are missed silently: only the rows show the loss.
+  // The edges after the last received one are missed silently, so only the rows show the loss.
   CHECK(stage.recording.scan.rows() == 997);
   CHECK(stage.triggered.missed() == missed.size() - 3);
   CHECK(stage.triggered.first_missed_row() == 0);
-  stage.triggered.take({LineRole::end_stop, true, 2000 * ms});
+  stage.triggered.process({LineRole::end_stop, true, 2000 * ms});
   CHECK(!stage.recording.scan.is_whole());
   const Bytes& stream = stage.stream();
   CHECK(stream == expected_stream(plan, 997, missed));
@@ -215,7 +215,7 @@ TEST_CASE("more missed edges than remaining rows end the scan") {
   const ScanPlan plan = plan_of(10, 5, 4);
   Stage stage(plan);
   stage.edges(10);
-  stage.triggered.take(edge_at(10'000 * ms, true));
+  stage.triggered.process(edge_at(10'000 * ms, true));
   CHECK(stage.triggered.state() == State::ended);
   CHECK(stage.recording.scan.rows() == 20);
 }
@@ -246,7 +246,7 @@ TEST_CASE("an end-stop between slices completes the stream, and one within a sli
     CAPTURE(rows);
     Stage stage(plan);
     stage.edges(rows);
-    stage.triggered.take({LineRole::end_stop, true, stage.now + 1});
+    stage.triggered.process({LineRole::end_stop, true, stage.now + 1});
     CHECK(stage.triggered.state() == State::ended);
     const Bytes& stream = stage.stream();
     CHECK(stream == expected_stream(plan, rows));
@@ -298,7 +298,7 @@ TEST_CASE("a file returns rows by number, and a pipe the next row") {
   CHECK(text() == "aa");
   CHECK(device->read(7, row));
   CHECK(text() == "bb");
-  CHECK(!device->read(8, row));  // half a row does not count
+  CHECK(!device->read(8, row));  // an incomplete row does not count
   close(ends[0]);
   std::remove(name);
 }

@@ -1,5 +1,5 @@
-// Rows in reports: what arrives whole is a row, lost reports cost their rows, repeated ones
-// nothing.
+// Rows in HID reports: a complete row is accepted, lost reports cost only their rows, and repeated
+// reports cost nothing.
 #include <hid/row_assembler.hpp>
 #include <hid/stream_reports.hpp>
 
@@ -22,7 +22,7 @@ Bytes report_of(Kind kind, std::uint32_t number, std::uint16_t chunk = 0,
   return bytes;
 }
 
-// The reports of all rows, as a scanner sends them.
+// The reports of all rows, as sent by a scanner.
 std::vector<Bytes> reports_of(const std::vector<Bytes>& rows) {
   std::vector<Bytes> reports;
   for (std::uint32_t number = 0; number < rows.size(); ++number) {
@@ -41,11 +41,11 @@ struct Receiver {
   explicit Receiver(const ScanPlan& plan)
       : recording(plan), assembler(plan.row_bytes(), plan.rows()) {}
 
-  RowAssembler::Taken take(const Bytes& report) {
-    const RowAssembler::Taken taken = assembler.take(report.data(), report.size());
-    recording.scan.skip(taken.lost_rows);
-    if (taken.has_row) recording.scan.push(assembler.row());
-    return taken;
+  RowAssembler::Received add(const Bytes& report) {
+    const RowAssembler::Received received = assembler.add(report.data(), report.size());
+    recording.scan.skip(received.lost_rows);
+    if (received.has_row) recording.scan.push(assembler.row());
+    return received;
   }
   const Bytes& stream() {
     recording.scan.finish();
@@ -56,7 +56,7 @@ struct Receiver {
   RowAssembler assembler;
 };
 
-// 150 bytes per row: two full reports and one of 38 bytes.
+// 150 bytes per row: two full reports, and one of 38 bytes.
 const ScanPlan plan = plan_of(150, 10, 20);
 constexpr std::size_t chunks = 3;
 
@@ -84,7 +84,7 @@ TEST_CASE("a report is read as written, and other bytes are rejected") {
 
 TEST_CASE("all reports make all rows") {
   Receiver receiver(plan);
-  for (const Bytes& report : reports_of(rows_of(plan))) receiver.take(report);
+  for (const Bytes& report : reports_of(rows_of(plan))) receiver.add(report);
   CHECK(receiver.recording.scan.is_whole());
   CHECK(receiver.assembler.lost_reports() == 0);
   CHECK(receiver.stream() == expected_stream(plan, 200));
@@ -94,9 +94,9 @@ TEST_CASE("repeated reports change nothing") {
   Receiver receiver(plan);
   const std::vector<Bytes> reports = reports_of(rows_of(plan));
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    receiver.take(reports[i]);
-    receiver.take(reports[i]);
-    if (i > 10) receiver.take(reports[i - 10]);
+    receiver.add(reports[i]);
+    receiver.add(reports[i]);
+    if (i > 10) receiver.add(reports[i - 10]);
   }
   CHECK(receiver.assembler.repeated_reports() == reports.size() + reports.size() - 11);
   CHECK(receiver.stream() == expected_stream(plan, 200));
@@ -117,10 +117,10 @@ TEST_CASE("lost reports cost only their own rows and are counted") {
         ++lost;
         skipped.insert(static_cast<std::uint32_t>(i / chunks));
       } else {
-        receiver.take(reports[i]);
+        receiver.add(reports[i]);
       }
     }
-    CHECK(receiver.take(report_of(Kind::end, 200)).has_ended);
+    CHECK(receiver.add(report_of(Kind::end, 200)).has_ended);
     CHECK(receiver.recording.scan.rows() == 200);
     CHECK(receiver.assembler.lost_reports() == lost);
     CHECK(receiver.stream() == expected_stream(plan, 200, skipped));
@@ -130,8 +130,8 @@ TEST_CASE("lost reports cost only their own rows and are counted") {
 TEST_CASE("an early end ends the scan at the current row") {
   Receiver receiver(plan);
   const std::vector<Bytes> reports = reports_of(rows_of(plan));
-  for (std::size_t i = 0; i < 20 * chunks; ++i) receiver.take(reports[i]);
-  CHECK(receiver.take(report_of(Kind::end, 20)).has_ended);
+  for (std::size_t i = 0; i < 20 * chunks; ++i) receiver.add(reports[i]);
+  CHECK(receiver.add(report_of(Kind::end, 20)).has_ended);
   CHECK(receiver.stream() == expected_stream(plan, 20));
 }
 
@@ -146,17 +146,17 @@ TEST_CASE("invalid reports are counted and change nothing") {
       report_of(Kind::row, 50, 2, full),          // longer than the end of a row
       report_of(Kind::row, 50, 1, Bytes(55, 1)),  // shorter than the middle of a row
       report_of(Kind::end, 201),                  //
-      report_of(Kind::start, 0),                  // not for us
+      report_of(Kind::start, 0),                  // another device's report
       Bytes(63, 0x11),                            //
       Bytes(64, 0xFF),
   };
   for (std::size_t i = 0; i < reports.size(); ++i) {
     if (i < wrong.size()) {
-      const RowAssembler::Taken taken = receiver.take(wrong[i]);
-      CHECK(!taken.has_row);
-      CHECK(!taken.has_ended);
+      const RowAssembler::Received received = receiver.add(wrong[i]);
+      CHECK(!received.has_row);
+      CHECK(!received.has_ended);
     }
-    receiver.take(reports[i]);
+    receiver.add(reports[i]);
   }
   CHECK(receiver.assembler.unreadable_reports() == wrong.size());
   CHECK(receiver.stream() == expected_stream(plan, 200));
@@ -176,8 +176,8 @@ TEST_CASE("any bytes are safe, and there are never more rows than planned") {
         bytes[3] = bytes[5] = bytes[6] = bytes[7] = 0;
         bytes[4] &= 63;
       }
-      const RowAssembler::Taken taken = assembler.take(bytes.data(), bytes.size());
-      rows += taken.lost_rows + (taken.has_row ? 1 : 0);
+      const RowAssembler::Received received = assembler.add(bytes.data(), bytes.size());
+      rows += received.lost_rows + (received.has_row ? 1 : 0);
     }
     CHECK(rows <= 50);
   }

@@ -1,4 +1,4 @@
-// What the tests of the device ports share: a volume in rows, and its stream without any device.
+// Shared by the tests of the device ports: a volume in rows, and its stream without a device.
 #pragma once
 
 #include <common/row_scan.hpp>
@@ -27,7 +27,7 @@ inline std::vector<Bytes> rows_of(const device::ScanPlan& plan) {
   return rows;
 }
 
-/// The stream of a scan of 8-bit samples that ends after a number of rows, some of them skipped.
+/// The stream of 8-bit samples that ends after some rows, with some of them skipped.
 inline Bytes expected_stream(const device::ScanPlan& plan, std::uint32_t row_count,
                              const std::set<std::uint32_t>& skipped = {}) {
   const std::vector<Bytes> rows = rows_of(plan);
@@ -46,7 +46,7 @@ inline Bytes expected_stream(const device::ScanPlan& plan, std::uint32_t row_cou
   return line.bytes;
 }
 
-/// A scan whose stream is kept.
+/// A scan that keeps its stream.
 struct Recording {
   explicit Recording(const device::ScanPlan& plan) : scan(plan, line.output()) {}
   Line line{0};

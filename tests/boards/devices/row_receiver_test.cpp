@@ -1,4 +1,4 @@
-// Rows over a line: what comes whole is taken once and in order, and nothing else is.
+// Rows over a line: complete rows are accepted once and in order, and nothing else is.
 #include <rows/row_receiver.hpp>
 
 #include "oracle/stream.hpp"
@@ -23,7 +23,7 @@ Bytes start_frame() {
   return frame(Kind::start, row_bytes);
 }
 
-// Zeros among the samples, for the stuffing, and different ones in every row.
+// Samples with zeros, which need stuffing, and different ones in every row.
 Bytes samples_of(uint32_t number, size_t count = row_bytes) {
   Bytes samples(count);
   for (size_t i = 0; i < count; ++i) samples[i] = static_cast<uint8_t>(i % 3 * (number + i));
@@ -39,22 +39,22 @@ Bytes joined(std::initializer_list<Bytes> parts) {
   return all;
 }
 
-// A device with one half, which is free whenever `is_free`. Sanitizers see a byte beyond the half.
+// A device with one buffer, which is free if `is_free`. Sanitizers detect a byte beyond the buffer.
 struct Device {
   RowReceiver receiver{row_bytes};
   Bytes half = Bytes(row_bytes, 0xCC);
   bool is_free = true;
 
-  Events take(const Bytes& bytes) {
+  Events accept(const Bytes& bytes) {
     Events events;
     for (const uint8_t byte : bytes) {
-      const Event event = receiver.take(byte, is_free ? half.data() : nullptr);
+      const Event event = receiver.accept(byte, is_free ? half.data() : nullptr);
       if (event != Event::nothing) events.push_back(event);
     }
     return events;
   }
-  void take_row(uint32_t number) {
-    CHECK(take(row_frame_of(number)) == Events{Event::row});
+  void accept_row(uint32_t number) {
+    CHECK(accept(row_frame_of(number)) == Events{Event::row});
     CHECK(receiver.number() == number);
     CHECK(half == samples_of(number));
   }
@@ -62,7 +62,7 @@ struct Device {
 
 Device started() {
   Device device;
-  CHECK(device.take(start_frame()) == Events{Event::start});
+  CHECK(device.accept(start_frame()) == Events{Event::start});
   return device;
 }
 
@@ -70,8 +70,8 @@ Device started() {
 
 TEST_CASE("a scan of three rows arrives") {
   Device device = started();
-  for (uint32_t number = 0; number < 3; ++number) device.take_row(number);
-  CHECK(device.take(frame(Kind::end, 3)) == Events{Event::end});
+  for (uint32_t number = 0; number < 3; ++number) device.accept_row(number);
+  CHECK(device.accept(frame(Kind::end, 3)) == Events{Event::end});
   CHECK(device.receiver.number() == 3);
 }
 
@@ -83,10 +83,10 @@ TEST_CASE("rows of any length that fits a frame arrive, with any number") {
     Bytes half(count);
     Event event = Event::nothing;
     for (const uint8_t byte : frame(Kind::start, static_cast<uint32_t>(count)))
-      event = receiver.take(byte, half.data());
+      event = receiver.accept(byte, half.data());
     CHECK(event == Event::start);
     for (const uint8_t byte : frame(Kind::row, number, samples_of(number, count)))
-      event = receiver.take(byte, half.data());
+      event = receiver.accept(byte, half.data());
     CHECK(event == Event::row);
     CHECK(receiver.number() == number);
     CHECK(half == samples_of(number, count));
@@ -99,13 +99,13 @@ TEST_CASE("any wrong bit costs only its own row") {
     for (uint32_t bit = 0; bit < 8; ++bit) {
       INFO("place ", place, ", bit ", bit);
       Device device = started();
-      device.take_row(0);
+      device.accept_row(0);
       Bytes bad = good;
       bad[place] = static_cast<uint8_t>(bad[place] ^ 1U << bit);
-      bad.push_back(0);  // as every frame begins, for the wrong bit may be in the last zero
-      const Events events = device.take(bad);
+      bad.push_back(0);  // as every frame begins, because the wrong bit may be in the last zero
+      const Events events = device.accept(bad);
       CHECK(std::count(events.begin(), events.end(), Event::row) == 0);
-      device.take_row(2);
+      device.accept_row(2);
     }
   }
 }
@@ -115,11 +115,11 @@ TEST_CASE("a frame truncated at any byte costs only its own row") {
   for (size_t count = 0; count < whole.size(); ++count) {
     CAPTURE(count);
     Device device = started();
-    device.take_row(0);
-    CHECK(device.take(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count)))
+    device.accept_row(0);
+    CHECK(device.accept(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count)))
               .empty());
-    const Events events = device.take(row_frame_of(2));
-    // All but the last zero may be missing: the next frame begins with one.
+    const Events events = device.accept(row_frame_of(2));
+    // All bytes but the last zero may be missing; the next frame begins with a zero.
     const bool is_whole = count + 1 == whole.size();
     const bool is_told = count > 1;
     CHECK(events == (is_whole  ? Events{Event::row, Event::row}
@@ -133,8 +133,8 @@ TEST_CASE("rows of another length are dropped without writing beyond the half") 
   for (const size_t count : {size_t{0}, row_bytes - 1, row_bytes + 1, row_frame::max_samples}) {
     CAPTURE(count);
     Device device = started();
-    CHECK(device.take(frame(Kind::row, 0, samples_of(0, count))) == Events{Event::dropped});
-    device.take_row(0);
+    CHECK(device.accept(frame(Kind::row, 0, samples_of(0, count))) == Events{Event::dropped});
+    device.accept_row(0);
   }
 }
 
@@ -142,24 +142,24 @@ TEST_CASE("frames longer than any frame are dropped") {
   Device device = started();
   Bytes bytes(1000, 0xFF);
   bytes.push_back(0);
-  CHECK(device.take(bytes) == Events{Event::dropped});
-  device.take_row(0);
+  CHECK(device.accept(bytes) == Events{Event::dropped});
+  device.accept_row(0);
 }
 
 TEST_CASE("repeated and late rows are dropped, and gaps in the numbers are accepted") {
   Device device = started();
-  device.take_row(5);
-  CHECK(device.take(row_frame_of(5)) == Events{Event::dropped});
-  CHECK(device.take(row_frame_of(4)) == Events{Event::dropped});
-  device.take_row(6);
-  device.take_row(1000);
+  device.accept_row(5);
+  CHECK(device.accept(row_frame_of(5)) == Events{Event::dropped});
+  CHECK(device.accept(row_frame_of(4)) == Events{Event::dropped});
+  device.accept_row(6);
+  device.accept_row(1000);
 }
 
 TEST_CASE("the highest row number has no successor") {
   Device device = started();
-  CHECK(device.take(row_frame_of(UINT32_MAX)) == Events{Event::dropped});
-  device.take_row(UINT32_MAX - 1);
-  CHECK(device.take(row_frame_of(0)) == Events{Event::dropped});
+  CHECK(device.accept(row_frame_of(UINT32_MAX)) == Events{Event::dropped});
+  device.accept_row(UINT32_MAX - 1);
+  CHECK(device.accept(row_frame_of(0)) == Events{Event::dropped});
 }
 
 TEST_CASE("a row without room at any of its samples is dropped") {
@@ -169,72 +169,72 @@ TEST_CASE("a row without room at any of its samples is dropped") {
     Device device = started();
     Event last = Event::nothing;
     for (size_t i = 0; i < bytes.size(); ++i)
-      last = device.receiver.take(bytes[i], i == place ? nullptr : device.half.data());
+      last = device.receiver.accept(bytes[i], i == place ? nullptr : device.half.data());
     const bool is_sample =
         place >= 2 + row_frame::head_bytes && place < 2 + row_frame::head_bytes + row_bytes;
     CHECK(last == (is_sample ? Event::dropped : Event::row));
   }
   Device device = started();
   device.is_free = false;
-  CHECK(device.take(bytes) == Events{Event::dropped});
+  CHECK(device.accept(bytes) == Events{Event::dropped});
   CHECK(device.half == Bytes(row_bytes, 0xCC));
   device.is_free = true;
-  device.take_row(0);
+  device.accept_row(0);
 }
 
 TEST_CASE("zeros and garbage between frames are no rows") {
   Chance chance(1);
   Device device = started();
   for (uint32_t number = 0; number < 500; ++number) {
-    device.take(Bytes(chance.below(4), 0));
+    device.accept(Bytes(chance.below(4), 0));
     Bytes garbage(chance.below(600));
     for (uint8_t& byte : garbage) byte = chance.byte();
-    const Events events = device.take(garbage);
+    const Events events = device.accept(garbage);
     CHECK(std::count(events.begin(), events.end(), Event::dropped) ==
           static_cast<std::ptrdiff_t>(events.size()));
-    const Events ended = device.take({0});
+    const Events ended = device.accept({0});
     CHECK(ended.size() <= 1);
-    device.take_row(number);
+    device.accept_row(number);
   }
 }
 
 TEST_CASE("frames before the start are ignored") {
   Device device;
-  CHECK(device.take(joined({row_frame_of(7), {3, 1, 4, 1, 0}, frame(Kind::end, 8)})).empty());
-  CHECK(device.take(start_frame()) == Events{Event::start});
-  device.take_row(0);
+  CHECK(device.accept(joined({row_frame_of(7), {3, 1, 4, 1, 0}, frame(Kind::end, 8)})).empty());
+  CHECK(device.accept(start_frame()) == Events{Event::start});
+  device.accept_row(0);
 }
 
 TEST_CASE("a start may be repeated until the first row, and after the end") {
   Device device = started();
-  CHECK(device.take(start_frame()) == Events{Event::start});
-  device.take_row(0);
-  CHECK(device.take(start_frame()) == Events{Event::refused});
-  device.take_row(1);
-  CHECK(device.take(frame(Kind::end, 2)) == Events{Event::end});
-  CHECK(device.take(start_frame()) == Events{Event::start});
-  device.take_row(0);
+  CHECK(device.accept(start_frame()) == Events{Event::start});
+  device.accept_row(0);
+  CHECK(device.accept(start_frame()) == Events{Event::refused});
+  device.accept_row(1);
+  CHECK(device.accept(frame(Kind::end, 2)) == Events{Event::end});
+  CHECK(device.accept(start_frame()) == Events{Event::start});
+  device.accept_row(0);
 }
 
 TEST_CASE("a start for rows of another size is refused, and its rows are ignored") {
   Device device;
-  CHECK(device.take(frame(Kind::start, row_bytes + 1)) == Events{Event::refused});
-  CHECK(device.take(row_frame_of(0)).empty());
+  CHECK(device.accept(frame(Kind::start, row_bytes + 1)) == Events{Event::refused});
+  CHECK(device.accept(row_frame_of(0)).empty());
 }
 
 TEST_CASE("the end of a scan is reported once, with its kind") {
   Device device = started();
-  device.take_row(4);
-  CHECK(device.take(frame(Kind::end, 4)) ==
-        Events{Event::dropped});  // of fewer rows than have come
-  CHECK(device.take(frame(Kind::broken_off, 9)) == Events{Event::broken_off});
+  device.accept_row(4);
+  CHECK(device.accept(frame(Kind::end, 4)) ==
+        Events{Event::dropped});  // of fewer rows than have arrived
+  CHECK(device.accept(frame(Kind::broken_off, 9)) == Events{Event::broken_off});
   CHECK(device.receiver.number() == 9);
-  CHECK(device.take(joined({frame(Kind::broken_off, 9), row_frame_of(9)})).empty());
+  CHECK(device.accept(joined({frame(Kind::broken_off, 9), row_frame_of(9)})).empty());
 }
 
 TEST_CASE("frames of unknown kinds are dropped") {
   Device device = started();
-  CHECK(device.take(frame(static_cast<Kind>(4), 0)) == Events{Event::dropped});
-  CHECK(device.take(frame(Kind::end, 0, {1})) == Events{Event::dropped});
-  device.take_row(0);
+  CHECK(device.accept(frame(static_cast<Kind>(4), 0)) == Events{Event::dropped});
+  CHECK(device.accept(frame(Kind::end, 0, {1})) == Events{Event::dropped});
+  device.accept_row(0);
 }

@@ -1,11 +1,11 @@
-// A scanner's HID device, played through /dev/uhid: sends the rows of a file, a report a
-// millisecond, and keeps the stream that it is sent.
+// Simulates a scanner's HID device by /dev/uhid: sends the rows of a file, one report per
+// millisecond, and stores the received stream.
 //
 //   scanner ROWS ROW_BYTES STREAM BEHAVIOUR...
 //
 //   lose:N     report N, from 0, is not sent
-//   repeat:N   it is sent twice
-//   unplug:N   the device goes away before it
+//   repeat:N   report N is sent twice
+//   unplug:N   the device is unplugged before report N
 #include <fcntl.h>
 #include <linux/uhid.h>
 #include <poll.h>
@@ -66,18 +66,18 @@ class Device {
     send(event);
   }
 
-  /// Takes what comes within a time. Units: milliseconds, -1 for ever.
-  template <class Take>
-  void receive(int timeout, Take take) {
+  /// Reads what arrives within a time. Units: milliseconds, -1 for no limit.
+  template <class Receive>
+  void receive(int timeout, Receive receive_report) {
     pollfd waiting{file_, POLLIN, 0};
     if (poll(&waiting, 1, timeout) != 1) return;
     uhid_event event{};
     if (read(file_, &event, sizeof event) < 0) fail("scanner: read");
     if (event.type != UHID_OUTPUT) return;
-    // hidapi's report id comes along, which a USB device would not see.
+    // hidapi's report id is included, which a USB device would not receive.
     const std::size_t id = event.u.output.size == Report::bytes + 1 ? 1 : 0;
     if (const auto report = Report::read(event.u.output.data + id, event.u.output.size - id))
-      take(*report);
+      receive_report(*report);
   }
 
  private:
@@ -139,19 +139,19 @@ int main(int count, char** arguments) {
   Device device;
   bool is_started = false;
   bool is_stopped = false;
-  const auto take = [&](const Report& report) {
+  const auto receive_report = [&](const Report& report) {
     if (report.kind == Kind::start) is_started = true;
     if (report.kind == Kind::stop) is_stopped = true;
     if (report.kind == Kind::stream)
       stream.write(reinterpret_cast<const char*>(report.payload), report.length);
   };
-  while (!is_started) device.receive(-1, take);
+  while (!is_started) device.receive(-1, receive_report);
   for (std::size_t i = 0; i < reports.size(); ++i) {
     if (behaviour.unplugged.count(i) > 0) return 0;
     if (behaviour.lost.count(i) == 0) device.send_report(reports[i]);
     if (behaviour.repeated.count(i) > 0) device.send_report(reports[i]);
     usleep(1000);
-    device.receive(0, take);
+    device.receive(0, receive_report);
   }
-  while (!is_stopped) device.receive(-1, take);
+  while (!is_stopped) device.receive(-1, receive_report);
 }

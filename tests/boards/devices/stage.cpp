@@ -1,13 +1,12 @@
-// The stage of a scanner, played on a simulated GPIO chip.
+// Simulates the stage of a scanner on a simulated GPIO chip.
 //
 //   stage FOLDER STEP...
 //
 //   sync:N          N pulses of the sync line, 2 ms apart
 //   button:T        the line is high for T ms; end-stop:T likewise
-//   low-button:T    the line, which is high, is low for T ms
-//   rest:T          nothing for T ms
-//   stop:PID        a process is stopped, as by a busy processor; go:PID lets it go on, end:PID
-//   ends it
+//   low-button:T    the line, normally high, is low for T ms
+//   rest:T          nothing changes for T ms
+//   stop:PID        stops a process, like a busy processor; go:PID continues it, end:PID ends it
 #include <signal.h>
 #include <unistd.h>
 

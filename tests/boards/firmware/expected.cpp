@@ -33,7 +33,7 @@ std::size_t append(void* stream, const std::uint8_t* bytes, std::size_t count) {
   return count;
 }
 
-// With the zero that ends a frame of before. Empty when the library refuses the volume.
+// With the zero that ends an earlier frame. Empty if the library refuses the volume.
 Bytes stream_of(const std::vector<scan::Sample>& samples) {
   static std::uint8_t arena[scan::arena_bytes];
   Bytes stream{0};

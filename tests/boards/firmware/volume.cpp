@@ -1,7 +1,7 @@
-// volume FILE: writes a volume to scan on a board, of the size in the board's scan.hpp.
+// volume FILE: writes a volume for a board, of the size in the board's scan.hpp.
 //
-// The volume is a body with a winding tunnel, and some slices of noise in the middle. Regions of
-// the smooth surface are sent whole. In the noise a small memory sends loose fragments.
+// The volume is a body with a winding tunnel, and some slices of noise in its middle. The smooth
+// surface is sent as whole regions. In the noise, little memory causes loose fragments.
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -27,7 +27,7 @@ constexpr std::int64_t square(std::int64_t value) {
   return value * value;
 }
 
-// u, v and w: from -1000 to 1000 across the volume.
+// u, v and w range from -1000 to 1000 across the volume.
 constexpr bool is_on(std::int64_t x, std::int64_t y, std::int64_t z) {
   const std::int64_t u = 2000 * x / width - 1000;
   const std::int64_t v = 2000 * y / height - 1000;
@@ -37,7 +37,7 @@ constexpr bool is_on(std::int64_t x, std::int64_t y, std::int64_t z) {
   return is_in_body && !is_in_tunnel;
 }
 
-// At the threshold or a little above, or a little below.
+// At the threshold, slightly above it, or slightly below it.
 constexpr scan::Sample sample_at(std::int64_t x, std::int64_t y, std::int64_t z) {
   const bool on = is_on(x, y, z) != (is_noisy(z) && is_speck((z * height + y) * width + x));
   const std::int64_t step = (x + y + z) % 3;

@@ -13,7 +13,7 @@ namespace discmc::simulator {
 namespace {
 
 constexpr std::chrono::milliseconds time_to_start{30000};
-// Whoever gives paths starts the device by hand.
+// If paths are given, the user starts the device.
 constexpr std::chrono::milliseconds time_to_start_by_hand{300000};
 constexpr std::chrono::milliseconds time_to_end{30000};
 

@@ -1,4 +1,4 @@
-// The device and the lines to it: QEMU, started here, or whatever is at the other end.
+// The device and the lines to it: QEMU, started here, or a device at the given paths.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace discmc::simulator {
 
-/// A folder for sockets, which goes with the object.
+/// A folder for sockets, removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -25,16 +25,17 @@ class TemporaryFolder {
 
 class Device {
  public:
-  /// Makes the lines that the options name, or starts QEMU with lines of its own, and waits until
-  /// all are connected. Throws std::runtime_error.
+  /// Opens the named lines, or starts QEMU with lines of its own, and waits until all are
+  /// connected. Throws std::runtime_error.
   explicit Device(const Options& options);
 
   Simulation::Lines lines() const { return {*rows_, *stream_, monitor_.get()}; }
 
-  /// The fault at the end of the firmware; empty if it ended with this code or its end is unknown.
+  /// Returns the fault at the end of the firmware; empty if it ended with this code, or if its end
+  /// is unknown.
   std::string mistake(int expected_code) const;
 
-  /// What the firmware printed, as far as QEMU is started here.
+  /// Returns the output of the firmware, if QEMU is started here.
   std::string console() const;
 
  private:

@@ -26,7 +26,7 @@ int listen_at(const std::string& path) {
     fail(path, "the name is too long for a socket: give one below " +
                    std::to_string(sizeof address.sun_path) + " bytes");
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
-  if (std::filesystem::is_socket(path)) unlink(path.c_str());  // of an earlier run
+  if (std::filesystem::is_socket(path)) unlink(path.c_str());  // left by an earlier run
   const int listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   const auto* any_address = reinterpret_cast<const sockaddr*>(&address);
   if (listener < 0 || bind(listener, any_address, sizeof address) != 0 || listen(listener, 1) != 0)
@@ -34,9 +34,9 @@ int listen_at(const std::string& path) {
   return listener;
 }
 
-// What the scanner has sent should be on its way, not wait by the thousand rows in the kernel.
+// Sent rows should be on their way, not queue in the kernel by the thousand.
 void keep_short(int descriptor) {
-  const int bytes = 1;  // the kernel takes the least it can do with
+  const int bytes = 1;  // the kernel uses its minimum
   setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof bytes);
 }
 

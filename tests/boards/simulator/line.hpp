@@ -1,4 +1,4 @@
-// A line of bytes to a device: what a UART is at the host's end.
+// A line of bytes to a device: the host's end of a UART.
 #pragma once
 
 #include <chrono>
@@ -9,31 +9,31 @@
 
 namespace discmc::simulator {
 
-/// A Unix socket at which the device, QEMU, calls; or the character device of a serial port.
-/// Nothing here waits but connect().
+/// A Unix socket to which the device (QEMU) connects, or the character device of a serial port.
+/// Only connect() waits.
 class Line {
  public:
-  /// Listens at the path, or opens it where it is a character device. Throws std::runtime_error.
+  /// Listens at the path, or opens it if it is a character device. Throws std::runtime_error.
   explicit Line(std::string path);
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
   ~Line();
 
-  /// Waits until the device has called. Throws std::runtime_error when it does not.
+  /// Waits until the device has connected. Throws std::runtime_error on a timeout.
   void connect(std::chrono::milliseconds patience);
 
-  /// The descriptor to poll; negative once the device has hung up.
+  /// The descriptor to poll; negative after the device has closed the line.
   int descriptor() const { return descriptor_; }
   bool is_open() const { return descriptor_ >= 0; }
 
-  /// Reads available bytes, `count` at most. Returns their number.
+  /// Reads available bytes, at most `count`. Returns their number.
   std::size_t read(std::uint8_t* bytes, std::size_t count);
 
-  /// Sends bytes as soon as the line takes them.
+  /// Sends bytes as soon as the line accepts them.
   void send(const std::uint8_t* bytes, std::size_t count);
-  /// Sends what has waited so far.
+  /// Sends waiting bytes.
   void flush();
-  /// Forgets what still waits.
+  /// Discards waiting bytes.
   void discard() { waiting_.clear(); }
   bool is_busy() const { return !waiting_.empty(); }
 

@@ -1,4 +1,4 @@
-// How fast the stream is read: a receiver that is slow, or stalls, fills the device's UART.
+// The speed of reading the stream. A receiver that is slow, or stalls, fills the device's UART.
 #pragma once
 
 #include <chrono>
@@ -10,14 +10,14 @@
 
 namespace discmc::simulator {
 
-/// A pause of reading, from a row of the scan until the device has dropped a number of frames.
+/// A pause of reading, from a row of the scan until the device has dropped this many frames.
 struct HoldUp {
   std::uint32_t row, frames;
 };
 
 struct ListenerBehaviour {
-  std::uint64_t bytes_per_second = 0;  ///< 0: as fast as they come
-  /// Reads nothing for this time after the scan has reached these rows.
+  std::uint64_t bytes_per_second = 0;  ///< 0: unlimited
+  /// Pauses of this length, after the scan has reached these rows.
   std::map<std::uint32_t, std::chrono::milliseconds> stalls;
   std::optional<HoldUp> hold_up;
 };
@@ -26,7 +26,7 @@ class Listener {
  public:
   explicit Listener(const ListenerBehaviour& behaviour) : behaviour_(behaviour) {}
 
-  /// Takes note of where the scan is. Several rows may have gone out since the last call.
+  /// Updates the position of the scan. Several rows may have been sent since the last call.
   void follow(const Scanner& scanner, Clock::time_point now) {
     auto& stalls = behaviour_.stalls;
     while (!stalls.empty() && stalls.begin()->first <= scanner.row()) {
@@ -38,7 +38,7 @@ class Listener {
                   !scanner.has_sent_all();
   }
 
-  /// How many bytes may be read now, when they are no more than `most`.
+  /// Returns the number of bytes to read now, at most `most`.
   std::size_t allowed(std::size_t most, Clock::time_point now) const {
     if (is_held_up_ || now < next_) return 0;
     return behaviour_.bytes_per_second > 0 ? 1 : most;
@@ -49,7 +49,7 @@ class Listener {
     next_ = now + std::chrono::nanoseconds(count * 1000000000 / behaviour_.bytes_per_second);
   }
 
-  /// When it reads again, unless it is held up.
+  /// Returns the time of the next read, unless reading is paused.
   Clock::time_point next() const { return next_; }
 
  private:

@@ -40,7 +40,7 @@ void print_skipped(const Options& options, const ReceivedStream& stream) {
   std::cout << '\n';
 }
 
-// A disturbance at a row that never comes would be a test of nothing.
+// A disturbance at a row beyond the end would test nothing.
 void require_in_scan(const Options& options, std::uint32_t count) {
   const auto require = [count](const char* option, std::uint32_t row) {
     if (row >= count)
@@ -139,8 +139,8 @@ int run(int argc, char** argv) {
 }  // namespace discmc::simulator
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a device that hangs up shows in the return values
-  // The folder of the sockets has to go, so the program ends the usual way.
+  std::signal(SIGPIPE, SIG_IGN);  // return values show that a device has closed its line
+  // The folder of the sockets must be removed, so the program ends normally.
   for (const int signal : {SIGINT, SIGTERM})
     std::signal(signal, [](int) { discmc::simulator::is_interrupted = 1; });
   try {

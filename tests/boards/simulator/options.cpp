@@ -69,7 +69,7 @@ void add_device(CLI::App& app, Options& options) {
   stream->needs(rows);
 }
 
-// Options that may be given several times, but take no more than what follows.
+// Options that may be repeated, with one value each.
 
 void add_times(CLI::App& app, const char* name, std::map<std::uint32_t, milliseconds>& times,
                const char* description, const char* group) {
@@ -139,7 +139,7 @@ void add_receiver(CLI::App& app, Options& options) {
       ->group("Receiver");
   add_times(app, "--stall", options.listener.stalls,
             "stops reading for this long when the scan is at these rows", "Receiver");
-  // A scanner with credit would wait for the device, and the device for the receiver.
+  // Otherwise the scanner would wait for the device, and the device for the receiver.
   app.add_option_function<std::vector<std::uint32_t>>(
          "--hold-up",
          [&options](const std::vector<std::uint32_t>& given) {

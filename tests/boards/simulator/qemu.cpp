@@ -30,7 +30,7 @@ std::vector<std::string> command(const std::string& firmware, const Qemu::Files&
       {"-chardev", socket("rows", files.rows)},
       {"-chardev", socket("monitor", files.monitor)},
       {"-serial", "chardev:stream"},  // the first UART
-      {"-serial", "chardev:rows"},    // the second
+      {"-serial", "chardev:rows"},    // the second UART
       {"-mon", "chardev=monitor"},
       {"-semihosting-config", "enable=on,target=native"},
       {"-kernel", firmware},
@@ -40,7 +40,7 @@ std::vector<std::string> command(const std::string& firmware, const Qemu::Files&
   return words;
 }
 
-// The child's way into the command; it does not outlive the simulator.
+// Runs in the child: starts the command, which ends with the simulator.
 [[noreturn]] void become(std::vector<std::string>& words, const std::string& console, int failure) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::vector<char*> arguments(words.size() + 1, nullptr);
@@ -68,7 +68,7 @@ Qemu::Qemu(const std::string& firmware, const Files& files) {
   process_ = fork();
   if (process_ == 0) become(words, files.console, failure[1]);
   close(failure[1]);
-  // Nothing can be read from the pipe once QEMU runs.
+  // Nothing can be read from the pipe after QEMU has started.
   int error = process_ < 0 ? errno : 0;
   const bool failed = process_ < 0 || read(failure[0], &error, sizeof error) > 0;
   close(failure[0]);

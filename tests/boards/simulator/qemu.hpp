@@ -1,4 +1,4 @@
-// Firmware in QEMU, on a board with UARTs to spare.
+// Firmware in QEMU, on a board with additional UARTs.
 #pragma once
 
 #include <sys/types.h>
@@ -9,21 +9,21 @@
 
 namespace discmc::simulator {
 
-/// QEMU's process, which ends with the object at the latest.
+/// A process of QEMU, ended with the object at the latest.
 class Qemu {
  public:
-  /// The paths of the sockets to which QEMU connects, and of the file of the firmware's output.
+  /// The paths of the sockets to which QEMU connects, and of the file with the firmware's output.
   struct Files {
     std::string stream, rows, monitor, console;
   };
 
-  /// Throws std::runtime_error when there is no QEMU.
+  /// Throws std::runtime_error if QEMU is not installed.
   Qemu(const std::string& firmware, const Files& files);
   Qemu(const Qemu&) = delete;
   Qemu& operator=(const Qemu&) = delete;
   ~Qemu();
 
-  /// The exit code of the firmware; none when it does not end.
+  /// Returns the exit code of the firmware; none if it does not end.
   std::optional<int> wait(std::chrono::milliseconds patience);
 
  private:

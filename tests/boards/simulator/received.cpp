@@ -8,7 +8,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// The position from `from` on at which the first frame of the bytes is repeated, or the end.
+// Returns the position, from `from` on, at which the first frame recurs, or the end.
 Bytes::const_iterator second_beginning(const Bytes& bytes, std::size_t from) {
   const auto end_of_frame = std::find(bytes.begin(), bytes.end(), 0);
   if (end_of_frame == bytes.end()) return bytes.end();
@@ -22,7 +22,7 @@ ReceivedStream::ReceivedStream() {
   if (decoder_.start(make_sink(*this)) != Status::ok) throw std::logic_error("the sink is no sink");
 }
 
-// The zeros before the first frame end what a reset has cut off.
+// The zeros before the first frame end a frame that a reset has cut.
 void ReceivedStream::push(const std::uint8_t* bytes, std::size_t count) {
   for (; bytes_.empty() && count > 0 && *bytes == 0; --count) ++bytes;
   bytes_.insert(bytes_.end(), bytes, bytes + count);
@@ -56,8 +56,8 @@ void Received::push(const std::uint8_t* bytes, std::size_t count) {
       second_beginning(current.bytes(), seen - std::min(seen, detail::wire::max_frame));
   if (beginning == current.bytes().end()) return;
 
-  // The decoder of the old stream has seen bytes of the new one: both begin anew.
-  const Bytes before(current.bytes().begin(), beginning - 1);  // without its zero
+  // The decoder of the old stream has read bytes of the new one, so both start again.
+  const Bytes before(current.bytes().begin(), beginning - 1);  // without the zero
   const Bytes after(beginning, current.bytes().end());
   streams_.back() = std::make_unique<ReceivedStream>();
   streams_.back()->push(before.data(), before.size());

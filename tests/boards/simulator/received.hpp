@@ -1,4 +1,4 @@
-// What the device sends: streams, decoded while they come.
+// The streams of a device, decoded as they arrive.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class ReceivedStream {
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   const StreamHeader& header() const { return decoder_.header(); }
   const StreamReport& report() const { return decoder_.report(); }
-  /// Every region below this slice is here.
+  /// Every region below this slice has arrived.
   std::uint32_t final_slices() const { return final_slices_; }
   /// The skipped rows, by their numbers over all slices, and their substitutes.
   const std::map<std::uint32_t, Substitute>& skipped() const { return skipped_; }
@@ -36,17 +36,17 @@ class ReceivedStream {
   std::map<std::uint32_t, Substitute> skipped_;
 };
 
-/// All that came: a device that is reset begins a new stream in the middle of the old one. That is
-/// where the first frame of all comes again, equal byte by byte.
+/// All received bytes. A device that is reset begins a new stream within the old one. The new
+/// stream begins where the first frame recurs, byte by byte.
 class Received {
  public:
   Received();
 
   void push(const std::uint8_t* bytes, std::size_t count);
 
-  /// The stream of the last scan.
+  /// Returns the stream of the last scan.
   const ReceivedStream& stream() const { return *streams_.back(); }
-  /// All streams in their order, all but the last broken off.
+  /// Returns all streams in order; all but the last are incomplete.
   const std::vector<std::unique_ptr<ReceivedStream>>& streams() const { return streams_; }
 
  private:

@@ -1,4 +1,4 @@
-// What the device should have made of the rows: the same extraction, in this process.
+// The expected stream: extracts the same rows in this process.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ struct ReferenceScan {
   StreamHeader header;
   std::uint64_t memory;  ///< of the device's arena. Units: bytes
   std::map<std::uint32_t, Substitute> skipped;
-  std::uint32_t rows;  ///< how many come before the end
+  std::uint32_t rows;  ///< number of rows before the end
   bool is_abandoned;
 };
 
-/// The stream of a device that gets these rows. Throws std::invalid_argument when the memory is too
-/// small.
+/// Returns the stream of a device that receives these rows. Throws std::invalid_argument if the
+/// memory is too little.
 std::vector<std::uint8_t> reference_stream(const Rows& rows, const ReferenceScan& scan);
 
 }  // namespace discmc::simulator

@@ -1,4 +1,4 @@
-// The rows of a volume, all at hand, as a scanner that repeats its scan after a reset needs them.
+// All rows of a volume, because a scanner repeats its scan after a reset.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class Rows {
 
   const command::VolumeInfo& info() const { return info_; }
   std::uint32_t count() const { return info_.dims[1] * info_.dims[2]; }
-  /// Units: bytes of a row.
+  /// Units: bytes per row.
   std::size_t bytes() const { return info_.dims[0] * meshing::sample_bytes(info_.type); }
   const std::uint8_t* row(std::uint32_t number) const { return &samples_[number * bytes()]; }
 

@@ -1,5 +1,5 @@
-// scan_files VOLUME ISO FOLDER: writes what firmware needs to scan a volume, volume.raw and
-// scan.hpp.
+// scan_files VOLUME ISO FOLDER: writes the files that firmware needs to scan a volume, volume.raw
+// and scan.hpp.
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -20,7 +20,7 @@
 namespace discmc::simulator {
 namespace {
 
-// What the board netduinoplus2 has for the arena and two rows of samples. Units: bytes.
+// The memory of the board netduinoplus2 for the arena and two rows of samples. Units: bytes.
 constexpr std::uint64_t memory = std::uint64_t{122} << 10;
 
 const char* sample_of(meshing::SampleType type) {
@@ -33,7 +33,7 @@ const char* sample_of(meshing::SampleType type) {
       return "int16_t";
     default:
       throw std::invalid_argument("its samples are " + std::string(name(type)) +
-                                  ", and those of a scanner u8, u16 or i16: take another volume");
+                                  ", and those of a scanner u8, u16 or i16: use another volume");
   }
 }
 
@@ -43,7 +43,7 @@ std::uint64_t arena_bytes(const command::VolumeInfo& info) {
   if (rows + least > memory)
     throw std::invalid_argument("its slices of " + std::to_string(info.dims[0]) + "x" +
                                 std::to_string(info.dims[1]) +
-                                " voxels are too large for the board: take a smaller volume");
+                                " voxels are too large for the board: use a smaller volume");
   return memory - rows;
 }
 

@@ -22,7 +22,7 @@ Bytes frame(Kind kind, std::uint32_t number, const std::uint8_t* samples = nullp
   return bytes;
 }
 
-// One wrong byte, but no zero, which would make two frames of one.
+// One wrong byte. It is not zero, because a zero would divide the frame.
 void damage(Bytes& bytes) {
   std::uint8_t& byte = bytes[bytes.size() / 2];
   byte = byte == 0x55 ? 0xAA : static_cast<std::uint8_t>(byte ^ 0x55);
@@ -33,14 +33,14 @@ void damage(Bytes& bytes) {
 Scanner::Scanner(const Rows& rows, const ScannerBehaviour& behaviour)
     : rows_(rows), behaviour_(behaviour), end_(std::min(rows.count(), behaviour.broken_off_at)) {}
 
-void Scanner::hear(std::uint8_t answer, Clock::time_point now) {
+void Scanner::receive(std::uint8_t answer, Clock::time_point now) {
   switch (static_cast<Answer>(answer)) {
     case Answer::restarted:
       if (stage_ != Stage::starting) ++restarts_;
       begin(now);
       break;
     case Answer::ready:
-      if (stage_ != Stage::starting) break;  // the answer to a start that was repeated
+      if (stage_ != Stage::starting) break;  // the answer to a repeated start
       stage_ = Stage::scanning;
       credit_ = halves;
       due_ = now;
@@ -90,12 +90,12 @@ std::vector<std::uint8_t> Scanner::next_row(Clock::time_point now) {
   return bytes;
 }
 
-// Sets when the next row is due, one row having gone out now.
+// Sets the time of the next row; a row is sent now.
 void Scanner::schedule(Clock::time_point now) {
   const auto most = behaviour_.jitter.count();
   const std::chrono::microseconds deviation(
       std::uniform_int_distribution<std::int64_t>(-most, most)(chance_));
-  // A scanner that waits for the device continues from there; otherwise it keeps its schedule.
+  // A scanner that waits for the device continues from now; otherwise it keeps its schedule.
   const auto from = behaviour_.waits_for_credit ? now : due_;
   const auto pause = behaviour_.pauses.find(row_);
   due_ = from + std::max(behaviour_.pace + deviation, std::chrono::microseconds{0});

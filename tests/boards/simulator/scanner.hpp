@@ -1,4 +1,4 @@
-// The scanner: which frame it sends, and when.
+// The scanner: its frames, and their times.
 #pragma once
 
 #include <chrono>
@@ -15,45 +15,45 @@ namespace discmc::simulator {
 
 using Clock = std::chrono::steady_clock;
 
-/// How the scanner scans, and what goes wrong.
+/// The pace of the scanner, and its faults.
 struct ScannerBehaviour {
   static constexpr std::uint32_t never = std::numeric_limits<std::uint32_t>::max();
 
-  std::chrono::microseconds pace{0};                          ///< from row to row, at least
-  std::chrono::microseconds jitter{0};                        ///< of the pace, either way, at most
-  std::map<std::uint32_t, std::chrono::milliseconds> pauses;  ///< before these rows
-  std::set<std::uint32_t> dropped;                            ///< rows that are not sent at all
+  std::chrono::microseconds pace{0};                          ///< minimum time between rows
+  std::chrono::microseconds jitter{0};                        ///< maximum deviation from the pace
+  std::map<std::uint32_t, std::chrono::milliseconds> pauses;  ///< pauses before these rows
+  std::set<std::uint32_t> dropped;                            ///< rows that are not sent
   std::set<std::uint32_t> damaged;      ///< rows that are sent with a wrong byte
   std::uint32_t broken_off_at = never;  ///< the scan ends before this row
-  bool waits_for_credit = true;         ///< else it sends at its pace, come what may
+  bool waits_for_credit = true;         ///< otherwise the scanner keeps its pace
 };
 
-/// Follows the answers of the device and its own clock. The owner carries the bytes to and from the
+/// Reacts to the device's answers and to time. The owner carries bytes between the scanner and the
 /// line.
 class Scanner {
  public:
-  /// Owner: the rows and the behaviour belong to the caller and outlive the scanner.
+  /// Owner: the caller, of rows and behaviour, which outlive the scanner.
   Scanner(const Rows& rows, const ScannerBehaviour& behaviour);
 
-  /// Takes an answer. Throws std::runtime_error when the device refuses the scan.
-  void hear(std::uint8_t answer, Clock::time_point now);
+  /// Processes an answer. Throws std::runtime_error if the device refuses the scan.
+  void receive(std::uint8_t answer, Clock::time_point now);
 
-  /// The bytes to send now; none if it is not yet time.
+  /// Returns the bytes to send now; none if it is too early.
   std::vector<std::uint8_t> next(Clock::time_point now);
 
-  /// The time of the next call of next(), unless an answer comes before.
+  /// Returns the time of the next call of next(), unless an answer arrives earlier.
   Clock::time_point due() const;
 
   bool is_scanning() const { return stage_ == Stage::scanning; }
   bool has_sent_all() const { return stage_ == Stage::ending; }
-  /// The row that comes next; all of them once has_sent_all().
+  /// Returns the next row, or the number of rows after has_sent_all().
   std::uint32_t row() const { return row_; }
   std::uint32_t row_count() const { return end_; }
-  /// How often the device began anew after the scan had begun.
+  /// Returns how often the device restarted during the scan.
   std::uint32_t restarts() const { return restarts_; }
-  /// How many frames the device has dropped, as it answers.
+  /// Returns the number of dropped frames in the device's answers.
   std::uint32_t drops() const { return drops_; }
-  /// The longest time for which a row was due and had to wait for the device.
+  /// Returns the longest time for which a row that was due waited for the device.
   Clock::duration longest_wait() const { return longest_wait_; }
 
  private:
@@ -67,9 +67,9 @@ class Scanner {
   const Rows& rows_;
   const ScannerBehaviour& behaviour_;
   std::uint32_t end_;
-  std::minstd_rand chance_;  // seeded alike in every run
+  std::minstd_rand chance_;  // the same seed in every run
   Stage stage_ = Stage::starting;
-  Clock::time_point due_{};  // of the next row, or of the start or end once more
+  Clock::time_point due_{};  // time of the next row, or of a repeated start or end
   std::uint32_t row_ = 0;
   int credit_ = 0;
   std::uint32_t restarts_ = 0;

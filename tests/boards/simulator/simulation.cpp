@@ -37,7 +37,7 @@ void Simulation::run() {
     if (is_interrupted != 0) throw std::runtime_error("interrupted");
     const auto now = Clock::now();
     check_silence(now);
-    hear(now);
+    receive(now);
     listen(now);
     speak(now);
     show(now);
@@ -47,7 +47,7 @@ void Simulation::run() {
   if (is_terminal()) std::fputs("\r\033[K", stderr);
 }
 
-// Waits until there is something to read or to send.
+// Waits until bytes can be read or sent.
 void Simulation::wait(Clock::time_point now) {
   const auto reads_again = listener_.next() > now ? listener_.next() : Clock::time_point::max();
   const auto until = std::min({scanner_.due(), reads_again, now + longest_poll});
@@ -67,14 +67,14 @@ void Simulation::wait(Clock::time_point now) {
 }
 
 // Reads the device's answers to rows, and discards the output of the monitor.
-void Simulation::hear(Clock::time_point now) {
+void Simulation::receive(Clock::time_point now) {
   std::uint8_t bytes[256];
   if (lines_.monitor != nullptr) lines_.monitor->read(bytes, sizeof bytes);
   const std::size_t count = lines_.rows.read(bytes, sizeof bytes);
   if (count > 0) last_sign_ = now;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t restarts = scanner_.restarts();
-    scanner_.hear(bytes[i], now);
+    scanner_.receive(bytes[i], now);
     if (scanner_.restarts() == restarts) continue;
     lines_.rows.discard();
     note("the device runs from its beginning, and so does the scan");
@@ -130,7 +130,7 @@ void Simulation::reset() {
   note("row " + std::to_string(scanner_.row()) + ": reset");
 }
 
-// Whoever pauses or stalls does not expect a sign meanwhile.
+// During a pause or a stall, silence is expected.
 void Simulation::check_silence(Clock::time_point now) const {
   const bool is_pausing =
       scanner_.is_scanning() && scanner_.due() > now && scanner_.due() != Clock::time_point::max();

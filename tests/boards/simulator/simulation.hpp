@@ -1,4 +1,4 @@
-// A scan from the first row to the last byte of the stream: the scanner, the listener, their lines.
+// A scan from the first row to the last byte of the stream: scanner, listener and their lines.
 #pragma once
 
 #include <csignal>
@@ -17,26 +17,26 @@ class Simulation {
   struct Lines {
     Line& rows;
     Line& stream;
-    Line* monitor;  ///< null without
+    Line* monitor;  ///< null if unused
   };
 
-  /// Owner: all belong to the caller and outlive the simulation.
+  /// Owner: the caller, of all members, which outlive the simulation.
   Simulation(const Rows& rows, const Options& options, const Lines& lines);
 
   /// Scans until the trailer of the stream arrives, and prints the progress on standard error.
-  /// Throws std::runtime_error when the device falls silent, hangs up or does not fit the volume,
-  /// and when it is interrupted.
+  /// Throws std::runtime_error if the device is silent, closes the line, does not fit the volume,
+  /// or is interrupted.
   void run();
 
   const Scanner& scanner() const { return scanner_; }
   const Received& received() const { return received_; }
-  /// How many of the last scan's regions were here when its last row went out.
+  /// Returns the number of the last scan's regions that had arrived when its last row was sent.
   std::uint64_t early_regions() const { return early_regions_; }
   Clock::duration duration() const { return duration_; }
 
  private:
   void wait(Clock::time_point now);
-  void hear(Clock::time_point now);
+  void receive(Clock::time_point now);
   void listen(Clock::time_point now);
   void speak(Clock::time_point now);
   void reset();

@@ -13,7 +13,7 @@ bool was_sent_whole(const ScannerBehaviour& scanner, std::uint32_t row) {
   return scanner.dropped.count(row) == 0 && scanner.damaged.count(row) == 0;
 }
 
-// Rows below `end` of a set that are not among the skipped, as text.
+// Returns the rows below `end` of a set that were not skipped, as text.
 std::string unmarked(const std::set<std::uint32_t>& rows, std::uint32_t end,
                      const ReceivedStream& stream) {
   std::string list;
@@ -38,7 +38,7 @@ void check_skipped(const ScannerBehaviour& scanner, std::uint32_t end, const Rec
                        std::to_string(stream.report().totals.skipped_rows));
 }
 
-// The stream and as many bytes of the reference.
+// Compares the stream with equally many bytes of the reference.
 void compare(const Bytes& stream, const Bytes& reference, const std::string& name,
              std::vector<std::string>& mistakes) {
   const auto [wrong, right] =

@@ -37,7 +37,7 @@ def write(name, linear, origin, set_form):
 
 
 rotation = turned(20, 0) @ turned(-35, 1) @ turned(50, 2)
-# As of a scanner with a tilted gantry, in the left-handed order of voxels that is common.
+# Like a scanner with a tilted gantry, with the usual left-handed order of voxels.
 sheared = rotation @ numpy.diag([-0.7, 0.8, 2.5]) @ [[1, 0, 0], [0, 1, 0.3], [0, 0, 1]]
 write("sform.nii", sheared, [91.5, -126.25, -72.75],
       lambda image, affine: (image.set_qform(None, code=0), image.set_sform(affine, code=1)))

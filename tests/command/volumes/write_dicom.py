@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""write_dicom.py FOLDER: writes the DICOM files of dicom_test.cpp, by pydicom, GDCM, DCMTK and Pillow.
+"""write_dicom.py FOLDER: writes the DICOM files of dicom_test.cpp, with pydicom, GDCM, DCMTK and Pillow.
 
 On Debian: python3-pydicom, python3-numpy, python3-pil, libgdcm-tools and dcmtk. The volume is 8 by 6 by 5 voxels of
 0.5, 0.75 and 2.5 mm; the test knows its values by the same formula.
@@ -28,7 +28,7 @@ volume = (x * 7919 + y * 1047 + z * 12997) % 4001 - 2000  # [x, y, z]
 
 
 def slice_of(values, k):
-    """One slice, rows of x."""
+    """One slice, as rows along x."""
     return numpy.ascontiguousarray(values[:, :, k].T)
 
 
@@ -51,7 +51,7 @@ def dataset(storage, syntax, instance):
 
 
 def add_pixels(data, samples, bits=None):
-    """samples: one slice, or several."""
+    """samples: one or more slices."""
     width = samples.dtype.itemsize * 8
     data.SamplesPerPixel = 1
     data.PhotometricInterpretation = "MONOCHROME2"
@@ -66,7 +66,7 @@ def add_pixels(data, samples, bits=None):
 
 
 def position(k):
-    """Of fixed width, so that the test can put another in its place."""
+    """A UID of fixed length, so that the test can replace it."""
     return ["-10.000", "-20.000", f"{100 + 2.5 * k:07.3f}"]
 
 
@@ -79,7 +79,7 @@ def save(data, path):
 
 
 def write_series(folder, samples, slopes=None, bits=None):
-    """A file a slice; neither names nor instance numbers are in the order of the slices."""
+    """One file per slice. Neither names nor instance numbers have the order of the slices."""
     for k, name in enumerate(["IM3", "IM0", "IM4", "IM1", "IM2"]):
         data = dataset(CTImageStorage, ExplicitVRLittleEndian, f"{SERIES}.{k + 1}")
         data.InstanceNumber = str((k * 3 + 1) % 5)
@@ -94,7 +94,7 @@ def write_series(folder, samples, slopes=None, bits=None):
 
 
 def jpeg2000(samples):
-    """One slice as a code stream without loss."""
+    """One slice as a lossless code stream."""
     picture = PIL.Image.fromarray(samples.astype("<u2"))
     stream = io.BytesIO()
     picture.save(stream, "JPEG2000", irreversible=False, num_resolutions=2, no_jp2=True)
@@ -103,7 +103,7 @@ def jpeg2000(samples):
 
 def write_frames(path, samples, syntax=ExplicitVRLittleEndian, storage=EnhancedCTImageStorage,
                  bits=None):
-    """One file of all slices, their order told by positions alone."""
+    """One file with all slices, ordered only by their positions."""
     order = [2, 0, 4, 1, 3]
     data = dataset(storage, syntax, f"{SERIES}.9")
     data.NumberOfFrames = str(DEPTH)
@@ -144,7 +144,7 @@ def main(folder):
     i16 = volume.astype(numpy.int16)
     u8 = (volume % 251).astype(numpy.uint8)
     write_series(folder / "series", i16)
-    # Values in twelve bits, and other bits above them.
+    # Values in twelve bits, with other bits above them.
     packed = (volume & 0xFFF | (x % 16) << 12).astype(numpy.uint16)
     write_series(folder / "packed", packed.view(numpy.int16), bits=12)
     write_series(folder / "scaled", i16, slopes=["1", "0.25", "2", "0.5", "1"])
@@ -161,7 +161,7 @@ def main(folder):
             subprocess.run(["gdcmconv", "--" + kind, folder / f"{name}.dcm",
                             folder / f"{name}-{kind}.dcm"], check=True)
     write_frames(folder / "deflated.dcm", i16, DeflatedExplicitVRLittleEndian)
-    # Smooth, so that little is lost.
+    # Smooth, so that compression loses little.
     smooth = x + 2 * y + 4 * z
     for name, samples, bits, process in [("u8-lossy", (5 * smooth).astype(numpy.uint8), 8, "+eb"),
                                          ("u12-lossy", (80 * smooth).astype(numpy.uint16), 12, "+ee")]:

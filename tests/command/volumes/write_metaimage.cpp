@@ -1,5 +1,6 @@
-// write_metaimage FOLDER: writes MetaImage files that write_volumes.py cannot write: 64-bit whole
-// numbers, the other byte order, text. It uses MetaIO, the library of the authors in ITK and VTK.
+// write_metaimage FOLDER: writes MetaImage files that write_volumes.py cannot write: 64-bit
+// integers, the other byte order, text. Uses MetaIO, the library of the format's authors in ITK and
+// VTK.
 //
 // On Debian, with libvtk9-dev:
 //   g++ -I/usr/include/vtk-9.1 write_metaimage.cpp -lvtkmetaio-9.1 -lvtksys-9.1 -o write_metaimage

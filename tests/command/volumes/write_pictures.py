@@ -25,7 +25,7 @@ def main(folder):
     stack = folder / "stack"
     stack.mkdir(exist_ok=True)
     for k in range(DEPTH):
-        # slice0 to slice11: 10 comes after 9, not after 1.
+        # slice0 to slice11: 10 follows 9, not 1.
         PIL.Image.fromarray(u16[k]).save(stack / f"slice{k}.png")
     PIL.Image.fromarray(u8[0]).save(folder / "u8.png")
     PIL.Image.fromarray(u8[0]).convert("RGB").save(folder / "rgb.png")
@@ -81,7 +81,7 @@ def write_other_kinds(folder, u8):
 
 
 def write_hyperstacks(folder, u8):
-    """The 12 slices are 2 times of 2 channels of 3 slices."""
+    """The 12 slices are 2 times with 2 channels of 3 slices."""
     stack = u8.reshape(2, 2, 3, HEIGHT, WIDTH)  # [t, c, z, y, x]
     for axes in map("".join, itertools.permutations("TCZ")):
         sorted_stack = stack.transpose(*("TCZ".index(axis) for axis in axes), 3, 4)

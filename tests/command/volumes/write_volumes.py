@@ -48,7 +48,7 @@ TYPES = {
 
 
 def samples(name):
-    """The volume as array[z][y][x], little-endian."""
+    """Returns the volume as array[z][y][x], little-endian."""
     dtype, value = TYPES[name]
     flat = numpy.array([value(i) for i in range(60)], dtype=numpy.dtype(dtype).newbyteorder('<'))
     return flat.reshape(SIZES[::-1])
@@ -137,7 +137,7 @@ def image_data(name):
     return image
 
 
-# MetaImage, by VTK: little-endian, and without 64 bit integers, for which write_metaimage.cpp is.
+# MetaImage, by VTK: little-endian, without 64-bit integers, which write_metaimage.cpp writes.
 def write_metaimage():
     for name in TYPES:
         if name in ('u64', 'i64'):
@@ -158,7 +158,7 @@ def write_metaimage():
 # VTK's own formats. Legacy files are big-endian.
 def write_vtk():
     for name in TYPES:
-        # In text it writes bytes as colours, in fractions of 255, and rounds double precision.
+        # As text, VTK writes bytes as colours, in fractions of 255, and rounds double precision.
         for how in ('big',) if name in ('u8', 'f64') else ('big', 'big-text'):
             writer = vtkIOLegacy.vtkStructuredPointsWriter()
             writer.SetInputData(image_data(name))
@@ -320,7 +320,7 @@ def write_hdf5():
         file['minc-2.0/image/0/image'] = samples('u16')
 
 
-# InVesalius, with the modules of Python that it writes its projects with.
+# InVesalius, with the Python modules that it uses to write its projects.
 def write_invesalius():
     for how in ('', '-gzip'):
         matrix = samples('i16')

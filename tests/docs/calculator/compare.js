@@ -1,4 +1,4 @@
-// compare.js CALCULATOR < SIZES: whether calculator.js works out what the library does.
+// compare.js CALCULATOR < SIZES: compares the results of calculator.js with those of the library.
 import { readFileSync } from 'node:fs';
 
 const source = readFileSync(process.argv[2], 'utf8');

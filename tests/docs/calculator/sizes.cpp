@@ -1,5 +1,5 @@
-// The sizes of some hundred scans, by the library: width, height, memory and bytes of an index,
-// then what calculator.js works out.
+// Prints sizes of some hundred scans from the library: width, height, memory and bytes per index,
+// then the expected results of calculator.js.
 #include <cstdint>
 #include <cstdio>
 #include <discmc/extractor.hpp>

@@ -1,4 +1,4 @@
-// Corners in 64 bits: what the sweep of a host builds on.
+// The 64-bit codes of corners on which the host's sweep relies.
 #include "host/corner_code.hpp"
 #include "test.hpp"
 

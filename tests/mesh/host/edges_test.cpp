@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t words = 1;
 constexpr uint32_t on[] = {4}, off[] = {0};  // the first voxel of a row
 
-// A row of a slice with one voxel that is on.
+// A row of a slice with one on voxel.
 detail::trace::SweptRow row_of(int32_t z) {
   detail::trace::SweptRow row{};
   for (auto& slice : row.around.row)
@@ -36,7 +36,7 @@ TEST_CASE("a batch contains edges of one slice, and edges of the next slice wait
   CHECK(edges.count() == 2 * of_row);
   CHECK(edges.collect(row_of(4)));
   CHECK(edges.count() == 2 * of_row);
-  edges.take_all();
+  edges.discard_all();
   CHECK_FALSE(edges.collect(row_of(4)));
   CHECK(edges.count() == of_row);
 }

@@ -1,4 +1,4 @@
-// A host extractor sends the same events as other extractors, wherever it hands its fragments over.
+// A host extractor sends the same events as other extractors, wherever it hands over its fragments.
 #include "host/host_extractor.hpp"
 
 #include <iterator>
@@ -6,7 +6,7 @@
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/event_log.hpp"
 #include "oracle/join.hpp"
-#include "oracle/least_host.hpp"
+#include "oracle/minimum_host.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
@@ -21,11 +21,12 @@ using namespace discmc::reference;
 
 namespace {
 
-// The least slots with which chains are kept as nodes; a few more keep them for a while.
+// The minimum number of slots with which chains are kept as nodes. With a few more, they are kept
+// for some rows.
 constexpr uint32_t min_for_nodes = host::Chains::min_slots;
 constexpr Capacities much{min_for_nodes + 20000, 100};
 
-// A plate with holes of many shapes: rings of many runs, and such as touch themselves.
+// A plate with holes of many shapes: rings of many runs, and rings that touch themselves.
 BitVolume plate() {
   const Size size{60, 50, 3};
   const BitVolume noise = random(size, 190, 6);
@@ -50,7 +51,7 @@ struct SlabScan {
   Border border;
   uint32_t first, end;
 
-  uint32_t slices_before = 0;  // of the volume itself: its first one lies so high
+  uint32_t slices_before = 0;  // the height of the first slice of the volume
 
   Limits limits() const {
     Limits limits = limits_of_slab(volume, border, first, end);
@@ -71,14 +72,14 @@ struct SlabScan {
   }
 };
 
-// The events of an extractor.
+// Returns the events of an extractor.
 template <class Extractor>
 EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan,
                  const Capacities& capacities = much, const EventLog::Refuses& refuses = {}) {
   return SlabScan{volume, plan.border, 0, volume.depth}.by(extractor, capacities, refuses);
 }
 
-// The events of another extractor with ample memory.
+// Returns the events of another extractor with ample memory.
 EventLog expected_of(const BitVolume& volume, const Plan& plan = {}) {
   Extractor32 extractor;
   return scanned(extractor, volume, plan, {1000000, 1000});
@@ -99,14 +100,14 @@ bool refuses_some(uint64_t offer) {
   return offer * 0x9E3779B97F4A7C15 >> 62 == 0;
 }
 
-// The slots in use once queues and nodes have grown.
+// Returns the slots in use after queues and nodes have grown.
 template <class Extractor>
 bool has_kept_nodes(const Extractor& extractor) {
   return extractor.peaks().slots >= min_for_nodes / 4;
 }
 
-// A scan of a volume with few slots beyond the least, so that its fragments are handed over on
-// the way.
+// Scans a volume with few slots above the minimum, so that fragments are handed over during the
+// scan.
 class HandingOver {
  public:
   HandingOver(const BitVolume& volume, Border border) : volume_(volume) {
@@ -128,8 +129,7 @@ class HandingOver {
   HostExtractor extractor_;
 };
 
-// Walls along a diagonal of the slices, with sides of a thousand links and more, and a little
-// noise.
+// Walls along a diagonal of the slices, with sides of a thousand links or more, and some noise.
 BitVolume walls(Size size) {
   const BitVolume noise = random(size, 1, 7);
   return volume_of(size, [&](uint32_t x, uint32_t y, uint32_t z) {
@@ -138,21 +138,21 @@ BitVolume walls(Size size) {
   });
 }
 
-// Columns that step to and fro from slice to slice: their sides are open to the last slice, and
-// have corners in every one.
+// Columns that alternate from slice to slice: their sides are open to the last slice, with corners
+// in each slice.
 BitVolume zigzag_columns(Size size) {
   return volume_of(
       size, [](uint32_t x, uint32_t y, uint32_t z) { return (x + z % 2) % 4 < 2 && y % 4 < 2; });
 }
 
-// Teeth with jagged sides that only the last rows join, wide enough for sides that are level.
+// Teeth with jagged sides, joined by the last rows. They are wide, so some sides are level.
 BitVolume jagged_comb(uint32_t teeth, uint32_t height) {
   return volume_of({5 * teeth, height, 1}, [height](uint32_t x, uint32_t y, uint32_t) {
     return (x + y % 2) % 5 < 3 || y + 2 >= height;
   });
 }
 
-// A volume with y and z exchanged.
+// Returns a volume with y and z exchanged.
 BitVolume upright(const BitVolume& volume) {
   return volume_of({volume.width, volume.depth, volume.height},
                    [&](uint32_t x, uint32_t y, uint32_t z) { return volume.at(x, z, y); });
@@ -166,7 +166,7 @@ void put(BitVolume& volume, const BitVolume& part, uint32_t z) {
         volume.on[volume.index(x, y, z + i)] = part.at(x, y, i) ? 1 : 0;
 }
 
-// Scans with a number of slots and returns the totals. The events are ignored.
+// Scans with this many slots, ignores the events, and returns the totals.
 template <class Extractor>
 Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slots) {
   struct Taker {
@@ -182,9 +182,9 @@ Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slo
   return extractor.statistics();
 }
 
-// Checks the slots in use, for a number of slots beyond the least, and for one less.
+// Checks the slots in use with this many slots above the minimum, and with one slot less.
 struct Step {
-  uint32_t beyond;  // with one less, the slots of the step before are still in use
+  uint32_t beyond;  // with one less, the peak is that of the step before
   uint32_t in_use;
 };
 void check_steps(const BitVolume& volume, const std::vector<Step>& steps) {
@@ -205,7 +205,7 @@ void check_steps(const BitVolume& volume, const std::vector<Step>& steps) {
   }
 }
 
-// Writes the events down of the regions that it takes whole: of every second one.
+// Records the events of the regions that it accepts whole: every second region.
 struct EverySecond {
   EventLog& log;
   uint32_t offered = 0;
@@ -220,7 +220,7 @@ struct EverySecond {
 
 // ---- slabs ----
 
-// How many slices the slabs of a volume have, in turn.
+// Heights of slabs, used in turn.
 const std::vector<uint32_t> thicknesses[] = {{1}, {2}, {3}, {7}, {3, 1, 2}};
 
 template <class Visit>
@@ -272,7 +272,7 @@ std::vector<Region> regions_among(const Events& events) {
   return canonical(std::move(regions));
 }
 
-// Straight up through all slices, but for a few voxels.
+// Columns through all slices, without some voxels.
 BitVolume rough_columns(Size size) {
   BitVolume volume = columns(size);
   const BitVolume noise = random(size, 12, 9);
@@ -280,7 +280,8 @@ BitVolume rough_columns(Size size) {
   return volume;
 }
 
-// Chains of all kinds across seams: holes in levels, straight up, up and down, and noise.
+// Chains of all kinds across seams: holes in level planes, vertical, rising and falling ones, and
+// noise.
 std::vector<BitVolume> volumes_of_slabs() {
   return {random({13, 9, 8}, 128, 1),
           random({33, 12, 15}, 20, 2),
@@ -292,7 +293,7 @@ std::vector<BitVolume> volumes_of_slabs() {
           spiral({15, 15, 9})};
 }
 
-// Its faces cross all seams, and some of the holes in them do.
+// The faces of the box cross all seams, and so do some of their holes.
 BitVolume slanting_plate_with_holes() {
   const auto is_inside = [](uint32_t at) { return at >= 2 && at < 46; };
   BitVolume plate = volume_of({48, 48, 48}, [&](uint32_t x, uint32_t y, uint32_t z) {
@@ -326,12 +327,12 @@ TEST_CASE("a deep scan keeps its nodes in the memory of a shallow scan") {
     return extractor.peaks().slots;
   };
   const uint32_t enough = slots_of(8, 400000);
-  CHECK(enough > min_for_nodes);  // more than at first
+  CHECK(enough > min_for_nodes);  // more than initially
   CHECK(slots_of(20, 400000) == enough);
   for (const uint32_t slots : {enough, 3 * enough / 2}) CHECK(slots_of(4, slots) <= slots);
 }
 
-// What queues and nodes take shows in peaks() alone.
+// Only peaks() shows the slots of queues and nodes.
 TEST_CASE("memory for nodes grows in steps, each if it just fits") {
   check_steps(box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}), {{0, 33097}});
   check_steps(zigzag_columns({40, 40, 12}),
@@ -355,7 +356,8 @@ TEST_CASE("memory for both nodes and queues grows with noise or in turn") {
   check_steps(both, {{50847, 73097}});
 }
 
-// At an open border a chain goes along a link alone, where elsewhere another comes along it.
+// At an open border only one chain uses a link; elsewhere another chain uses it in the other
+// direction.
 TEST_CASE("queues have room if more chains leave along a link than arrive") {
   constexpr uint32_t teeth = 3000;
   const BitVolume saw = volume_of({4, 8 * teeth, 4}, shapes::Saw{});
@@ -366,7 +368,7 @@ TEST_CASE("queues have room if more chains leave along a link than arrive") {
 }
 
 TEST_CASE("the scan after a handover has all the memory") {
-  // Noise and columns for which places are made; and far above a slice that needs nearly all.
+  // Noise and columns for which memory grows, then a distant slice that needs nearly all of it.
   BitVolume volume({241, 241, 7});
   put(volume, columns({60, 60, 2}), 0);
   put(volume, random({40, 40, 2}, 128, 5), 2);
@@ -392,7 +394,7 @@ TEST_CASE("rings of any length close, also after many walks that failed") {
     check(jagged_comb(teeth, 40));
     check(upright(jagged_comb(teeth, 40)));
   }
-  // A ring of 128 corners: a quarter of those that are listed.
+  // A ring of 128 corners, a quarter of the listed maximum.
   check(jagged_comb(3, 26));
 }
 
@@ -424,7 +426,7 @@ TEST_CASE("a host extractor sends the same events to a busy sink") {
 }
 
 TEST_CASE("a host extractor sends the same events if any single offer is refused") {
-  // Two plates, one with a hole: rings with and without holes on their plane.
+  // Two plates, one with a hole, so there are rings with and without holes on a plane.
   BitVolume plates = box({9, 5, 5}, {0, 0, 1}, {8, 4, 1});
   plates.on[plates.index(2, 2, 1)] = 0;
   for (int64_t x = 0; x < 4; ++x) plates.on[plates.index(x, 3, 3)] = 1;
@@ -470,7 +472,7 @@ TEST_CASE("a side longer than a run is handed over within a row") {
 }
 
 TEST_CASE("a side across all rows of a slice, above a row of noise, is handed over") {
-  // The side is longer than the range of places, which repeat after 8192 links.
+  // The side is longer than the range of places, which repeat after 8,192 links.
   constexpr uint32_t size = 2000;
   BitVolume slope({size, size, 1});
   for (int64_t y = 0; y < size; ++y)
@@ -488,12 +490,12 @@ TEST_CASE("a side across all rows of a slice, above a row of noise, is handed ov
 }
 
 TEST_CASE("a long side that turns upwards at a centroid is handed over") {
-  // The side is longer than the range of places, which repeat after 8192 links. The noise comes
+  // The side is longer than the range of places, which repeat after 8,192 links. Noise follows
   // while the end of the side waits for the slice in which it turns.
   constexpr uint32_t size = 850;
   HostExtractor extractor;
   Extractor32 other;
-  for (const uint32_t seed : {1U, 9U, 12U}) {  // of which ends turn so
+  for (const uint32_t seed : {1U, 9U, 12U}) {  // links whose ends turn
     CAPTURE(seed);
     const BitVolume end = random({size, 10, 3}, 128, seed);
     const BitVolume noise = random({size, 100, 1}, 43, seed);
@@ -515,7 +517,7 @@ TEST_CASE("a long side that turns upwards at a centroid is handed over") {
 }
 
 TEST_CASE("a side across all slices of a slab is handed over") {
-  // The side is longer than the range of places, which repeat after 8192 links.
+  // The side is longer than the range of places, which repeat after 8,192 links.
   constexpr uint32_t size = 2100;
   BitVolume slope({size, 1, size});
   for (int64_t z = 0; z < size; ++z)
@@ -596,13 +598,13 @@ TEST_CASE("fragments of the last slab are sent in the order of their completion"
     }
     return events;
   };
-  // Slits across the slab, every second one with sides that are long to walk along.
+  // Slits across the slab. Every second one has long sides, which take long walks.
   BitVolume slits({120, 2, 60});
   for (size_t i = 0; i < slits.on.size(); ++i) {
     const size_t x = i % 120, z = i / 240;
     slits.on[i] = (x + (x % 20 < 10 ? z % 2 : 0)) % 5 < 3 || z >= 57 ? 1 : 0;
   }
-  // Tents in one another, with ragged rims: the inner ones are complete first.
+  // Nested tents with ragged rims. The inner ones are complete first.
   const BitVolume tents = volume_of({120, 4, 60}, [](uint32_t x, uint32_t y, uint32_t z) {
     return shapes::Tents{}(x, y, z) && (x < 60 ? 60 - x : x - 60) + z < 58;
   });
@@ -635,8 +637,8 @@ TEST_CASE("holes of each slab are sent before the last fragment of the ring arou
 }
 
 TEST_CASE("slabs join to the whole for any handover and any mixture of extractors") {
-  // These numbers of slots hand fragments over in the slice below, the first, a later slice, or
-  // not at all.
+  // With these numbers of slots, fragments are handed over in the slice below, in the first slice,
+  // in a later slice, or never.
   constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, min_for_nodes + 10000,
                                 min_for_nodes + 30000};
   HostExtractor extractor;
@@ -697,7 +699,7 @@ TEST_CASE("the corners of sent loose fragments are reused") {
     (void)SlabScan{volume, Border::closed, 1, 9}.by(extractor, much);
     return extractor.peaks().slots;
   };
-  // But for the runs of one fragment, as it goes out.
+  // Equal except for the runs of one fragment.
   CHECK(slots_used(true) < slots_used(false) + 1000);
 }
 
@@ -844,10 +846,10 @@ TEST_CASE("a checkpoint contains the nodes") {
   }
 }
 
-// ---- the least room ----
+// ---- the minimum capacities ----
 
-TEST_CASE("a host extractor with the least room sends the events of other extractors") {
-  LeastHost extractor;
+TEST_CASE("a host extractor with minimum capacities sends the events of other extractors") {
+  MinimumHost extractor;
   std::vector<BitVolume> all = volumes();
   all.push_back(volume_of({40, 30, 4}, shapes::Bars{2, 1, 1, 3}));
   all.push_back(zigzag_columns({40, 40, 12}));
@@ -859,13 +861,13 @@ TEST_CASE("a host extractor with the least room sends the events of other extrac
       const Plan plan{border, 0};
       constexpr Capacities plenty{600000, 1000};
       CHECK(scanned(extractor, volume, plan, plenty).events == expected_of(volume, plan).events);
-      CHECK(extractor.peaks().slots >= LeastHost::min_slots / 8);
+      CHECK(extractor.peaks().slots >= MinimumHost::min_slots / 8);
     }
 }
 
 TEST_CASE(
     "a host extractor with the least room has the same parts of structured volumes in slabs") {
-  LeastHost extractor;
+  MinimumHost extractor;
   Extractor32 other;
   std::vector<BitVolume> all = volumes_of_slabs();
   all.push_back(volume_of({60, 60, 3}, shapes::Bars{}));
@@ -883,7 +885,7 @@ TEST_CASE(
           const SlabScan scan{volume, border, first, end};
           const auto expected = parts_of(scan.by(other, plenty), scan);
           CHECK(parts_of(scan.by(extractor, plenty), scan) == expected);
-          CHECK(extractor.peaks().slots >= LeastHost::min_slots / 8);
+          CHECK(extractor.peaks().slots >= MinimumHost::min_slots / 8);
         });
       }
 }
@@ -897,14 +899,14 @@ TEST_CASE("a host extractor has the same parts for any size of its queues") {
     const auto expected = parts_of(scan.by(other, plenty), scan);
     for (uint32_t more = 0; more < 600; more += 16) {
       INFO("size ", size, ", more ", more);
-      LeastHost extractor(more);
+      MinimumHost extractor(more);
       CHECK(parts_of(scan.by(extractor, plenty), scan) == expected);
     }
   }
 }
 
-TEST_CASE("a host extractor with the least room hands fragments over at any point") {
-  LeastHost extractor;
+TEST_CASE("a host extractor with minimum capacities hands fragments over at any point") {
+  MinimumHost extractor;
   Extractor32 other;
   const BitVolume noise = random({150, 60, 4}, 60, 8);
   const EventLog expected = expected_of(noise);
@@ -912,7 +914,7 @@ TEST_CASE("a host extractor with the least room hands fragments over at any poin
   const auto parts = parts_of(slab.by(other, {1000000, 1000}), slab);
   for (uint32_t beyond = 0; beyond < 40000; beyond += 2000 * step(4)) {
     CAPTURE(beyond);
-    const Capacities capacities{LeastHost::min_slots + beyond, 1000};
+    const Capacities capacities{MinimumHost::min_slots + beyond, 1000};
     CHECK(scanned(extractor, noise, {}, capacities, refuses_some).events == expected.events);
     CHECK(parts_of(slab.by(extractor, capacities), slab) == parts);
   }

@@ -1,5 +1,5 @@
-// A program of one file that includes the library between its own names, which are alike, and its
-// header like one of C.
+// A program of one file that includes the library between declarations of similar names, with the
+// header included as in C.
 struct Event {
   int at;
 };

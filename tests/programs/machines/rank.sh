@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# rank.sh VOLUME OPTION...: what a rank of an MPI program does. It extracts its slab into the working
-# folder, which all ranks share. The slabs are joined in a tree: those of ranks 0 and 1, and of 2 and 3,
-# then both. The stream of all is joined.dmc. No message is needed: a stream appears under its name
-# when it is complete.
+# rank.sh VOLUME OPTION...: the work of one rank of an MPI program. It extracts its slab into the working folder, which
+# all ranks share. Slabs are joined in a tree: 0 and 1, 2 and 3, then both results. The joined stream is joined.dmc. No
+# messages are needed, because a stream gets its name only when it is complete.
 set -euo pipefail
 rank=$OMPI_COMM_WORLD_RANK
 ranks=$OMPI_COMM_WORLD_SIZE
-incomplete=3 # the exit code of a join that misses slabs
+incomplete=3 # the exit code of a join with missing slabs
 
 join() {
   local code=0

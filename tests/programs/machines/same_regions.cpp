@@ -1,5 +1,5 @@
-// Whether two streams have the same polygons, ring for ring: same_regions A.dmc B.dmc. Prints the
-// difference; the exit code is 1 then, and 2 if a stream cannot be read.
+// same_regions A.dmc B.dmc: compares the polygons of two streams, ring for ring. Prints the first
+// difference with exit code 1. The code is 2 if a stream cannot be read.
 #include <cstdio>
 #include <exception>
 #include <fstream>

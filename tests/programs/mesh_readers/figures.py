@@ -1,9 +1,9 @@
-"""What is told of a mesh: its triangles, whether they are closed, and the volume that they enclose."""
+"""The compared figures of a mesh: its triangles, whether they are closed, and the enclosed volume."""
 import numpy
 
 
 def figures(points, triangles):
-    """points: n x 3; triangles: n x 3 numbers of points. Points at one place are one."""
+    """points: n x 3. triangles: n x 3 numbers of points. Points at the same position are one point."""
     points = numpy.ascontiguousarray(points, dtype=numpy.float64).reshape(-1, 3)
     triangles = numpy.asarray(triangles, dtype=numpy.int64).reshape(-1, 3)
     places = (points + 0.0).view([("", points.dtype)] * 3).ravel()  # -0 is 0
@@ -28,7 +28,7 @@ def figures_of_stl(file):
 
 
 def figures_of_off(file):
-    """Of an OFF file of triangles, as text."""
+    """Of an OFF file of triangles, which is text."""
     with open(file) as text:
         words = text.read().split()
     assert words[0] == "OFF"

@@ -1,4 +1,4 @@
-"""Writes a label volume of four balls that touch. usage: labels.py OUTPUT.npy"""
+"""Writes a label volume of four touching balls. usage: labels.py OUTPUT.npy"""
 import sys
 
 import numpy

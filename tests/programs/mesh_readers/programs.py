@@ -14,7 +14,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def run(*command):
-    """What a program says."""
+    """The output of a program."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           errors="replace", timeout=600)
     if done.returncode != 0:
@@ -67,7 +67,7 @@ def three(file):
 
 
 def gltf_validator(file):
-    """Khronos' own checks; it counts triangles, and does not look at where they are."""
+    """Khronos' validator. It counts triangles, and ignores their positions."""
     told = run("node", f"{os.environ['THREE']}/validate.mjs", file)
     return {"triangles": int(number_after(told, "triangles")), "closed": None, "volume": None}
 
@@ -94,7 +94,7 @@ def openscad(file):
 
 
 def prusa_slicer(file):
-    # A paragraph for each object.
+    # One paragraph per object.
     told = [part for part in run("prusa-slicer", "--info", file).split("[") if "volume" in part]
     return {"triangles": int(sum(number_after(part, "number_of_facets") for part in told)),
             "closed": all("manifold = yes" in part for part in told),
@@ -108,8 +108,8 @@ def admesh(file):
             "volume": number_after(told, "Volume")}
 
 
-# With the formats that they read. MeshLab 2020.09 as Debian builds it fails an assertion in every
-# OBJ file, those of other programs too.
+# The programs, with the formats that they read. MeshLab 2020.09 of Debian fails an assertion for every OBJ file,
+# including those of other programs.
 PROGRAMS = {
     "VTK": (vtk, ["stl", "ply", "obj", "glb", "vtp"]),
     "assimp": (assimp, ["stl", "ply", "obj", "glb", "3mf"]),

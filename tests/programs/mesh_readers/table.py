@@ -14,7 +14,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def output_of(program, file):
-    """A process of its own, as it may not come back."""
+    """In a process of its own, which may crash."""
     done = subprocess.run([sys.executable, f"{HERE}/programs.py", program, file],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     for line in done.stdout.splitlines():
@@ -33,7 +33,7 @@ def judged(figures, file, triangles, volume):
         faults.append("open")
     if figures["volume"] is not None:
         unit = 1e9 if file.endswith(".glb") else 1  # cubic metres
-        # Some add up in 32-bit floats.
+        # Some programs sum in 32-bit floats.
         if abs(figures["volume"] * unit / volume - 1) > 2e-5:
             faults.append(f"volume {figures['volume'] * unit:.0f}")
     return ", ".join(faults) or "ok"
@@ -49,7 +49,7 @@ def main(folder, name, formats):
     print("|---|" + "---|" * len(formats))
     is_good = True
     for program, (_, readable) in PROGRAMS.items():
-        # OpenSCAD unites objects that touch.
+        # OpenSCAD unites touching objects.
         if not set(formats) & set(readable) or (program == "OpenSCAD" and len(volumes) > 1):
             continue
         cells = []

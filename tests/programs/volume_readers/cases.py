@@ -1,4 +1,4 @@
-"""A volume in a file, as a program other than discmc has it, and what random volumes are made of."""
+"""A volume in a file of another program, and random parts of such volumes."""
 import dataclasses
 
 import numpy
@@ -6,16 +6,16 @@ import numpy
 
 @dataclasses.dataclass
 class Case:
-    file: str  # or folder, as it is given to discmc
+    file: str  # file or folder, as passed to discmc
     values: numpy.ndarray  # by x, y and z; with the slope and intercept of the file
     place: numpy.ndarray  # 4 x 4: from the number of a voxel to millimetres
-    # What the millimetres are: "lps"; "scanner", of no known direction; "voxel", from the first voxel on.
+    # The meaning of the millimetres: "lps"; "scanner", with unknown directions; "voxel", relative to the first voxel.
     space: str = "voxel"
     options: tuple = ()  # of discmc
-    iso: float = None  # divides the body from what is around it
+    iso: float = None  # separates the body from its surroundings
 
 
-GENERATORS = {}  # by what they are called: the format, and who writes or reads it
+GENERATORS = {}  # by name: the format, and the program that writes or reads it
 
 
 def generator(name):
@@ -28,7 +28,7 @@ def generator(name):
 
 
 def dims(random, most=20):
-    """Three different ones, so that no axis is taken for another."""
+    """Three different ones, so that a confused axis is detected."""
     return tuple(int(size) for size in random.permutation(numpy.arange(4, most))[:3])
 
 
@@ -54,7 +54,7 @@ def samples(random, shape, dtype, limits=None):
         noise = numpy.where(on, random.uniform(min_inside, high, shape),
                             random.uniform(low, max_outside, shape)).astype(dtype)
     else:
-        # double counts whole numbers up to 2^53.
+        # double counts integers up to 2^53.
         least, most = limits or (max(numpy.iinfo(dtype).min, -2 ** 40),
                                  min(numpy.iinfo(dtype).max, 2 ** 40))
         middle = int(random.integers(least + 2, most - 2))
@@ -64,7 +64,7 @@ def samples(random, shape, dtype, limits=None):
 
 
 def rotation(random):
-    """One of space, or often one that only exchanges and turns round axes; its determinant may be -1."""
+    """A rotation, often one that only permutes and reverses axes. Its determinant may be -1."""
     if random.random() < 0.5:
         signs = random.choice([-1.0, 1.0], 3)
         return numpy.eye(3)[random.permutation(3)] * signs
@@ -73,7 +73,7 @@ def rotation(random):
 
 
 def spacing(random):
-    """Of decimal digits, as programs write them."""
+    """Decimal digits, as written by programs."""
     return numpy.round(random.uniform(0.2, 4, 3), 3)
 
 

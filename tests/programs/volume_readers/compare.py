@@ -1,4 +1,4 @@
-"""Compares what discmc finds in volumes with what other programs wrote into them, or read from them.
+"""Compares discmc's results for volumes with what other programs wrote or read.
 
 usage: compare.py DISCMC FOLDER [--cases N] [--seed N] [--only TEXT]
 Of each generator N volumes (default 30), from a seed each, from --seed on (default 1). Prints a table,
@@ -18,7 +18,7 @@ import numpy
 import cases
 
 for file in sorted((pathlib.Path(__file__).parent / "generators").glob("*.py")):
-    importlib.import_module(f"generators.{file.stem}")  # its generators add themselves
+    importlib.import_module(f"generators.{file.stem}")  # generators register themselves
 
 
 class Failure(Exception):
@@ -43,7 +43,7 @@ def numbers(text):
 
 
 def reported_place(info):
-    """4 x 4, in LPS where the patient is known."""
+    """4 x 4, in LPS if the patient is known."""
     place = numpy.eye(4)
     for axis, key in enumerate(("axis_x", "axis_y", "axis_z")):
         place[:3, axis] = numbers(info[key])
@@ -52,13 +52,13 @@ def reported_place(info):
 
 
 def box_of(shape, place):
-    """The corners of the volume: the outermost voxels' centres."""
+    """The corners of the volume: the centres of its outermost voxels."""
     ends = numpy.array(numpy.meshgrid(*[(0, size - 1) for size in shape])).reshape(3, -1)
     return place[:3, :3] @ ends + place[:3, 3:]
 
 
 def surface_points(case):
-    """Between each voxel that is on and each neighbour that is off, half way: numbers of voxels."""
+    """The midpoints between each on voxel and its off neighbours, in numbers of voxels."""
     on = numpy.pad(case.values >= case.iso, 1)
     points = []
     for axis in range(3):
@@ -80,7 +80,7 @@ def require(is_good, what, expected, found):
 
 
 def same_number(a, b):
-    """Up to the 15 digits that discmc prints; of 32-bit floats to theirs."""
+    """Compares the 15 digits that discmc prints, or those of a 32-bit float."""
     return bool(numpy.isclose(a, b, rtol=2e-13, atol=0)) or numpy.float32(a) == numpy.float32(b)
 
 
@@ -92,7 +92,7 @@ def check_values(case, info):
     for key, expected, found in zip(("least", "greatest"), (finite.min(), finite.max()),
                                     numbers(info["range"])):
         require(same_number(float(expected), found), key, expected, found)
-    # The sum is the mean times the count. Values that cancel out leave the rounding of what they were.
+    # The sum is the mean times the count. If values cancel, rounding errors of the terms remain.
     mean, found = float(finite.mean()), float(info["mean"])
     largest = float(numpy.abs(finite).max())
     require(same_number(mean, found) or abs(mean - found) <= 1e-15 * largest, "mean", mean, found)
@@ -110,7 +110,7 @@ def check_place(case, info):
 
 
 def check_mesh(discmc, case, folder):
-    """The body's box in space; and every vertex between two voxels that the threshold divides."""
+    """The body's box in space, and every vertex between two voxels on different sides of the threshold."""
     obj = folder / "mesh.obj"
     output_of(discmc, "extract", case.file, *case.options, f"--iso={case.iso!r}", "-q", "-o", obj)
     vertices = vertices_of(obj).T
@@ -137,12 +137,12 @@ def check(discmc, generate, seed, folder):
 
 
 def fault_of(*arguments):
-    """None where all is as it should be."""
+    """Returns None if there is no fault."""
     try:
         check(*arguments)
     except Failure as failure:
         return str(failure)
-    except Exception as error:  # of a generator: a fault as well
+    except Exception as error:  # an error of a generator is a fault, too
         return repr(error)
     return None
 

@@ -35,8 +35,8 @@ Io::Pointer io_of(const std::string& file) {
   throw std::invalid_argument(file + ": no format of ITK is known for it");
 }
 
-// All of it is read or written at once.
-void take_all(Io& io) {
+// Reads or writes everything at once.
+void read_all(Io& io) {
   itk::ImageIORegion region(io.GetNumberOfDimensions());
   for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis)
     region.SetSize(axis, io.GetDimensions(axis));
@@ -53,7 +53,7 @@ void read(const std::string& file, const std::string& raw) {
   const Io::Pointer io = io_of(file);
   io->SetFileName(file);
   io->ReadImageInformation();
-  take_all(*io);
+  read_all(*io);
   std::vector<char> samples(static_cast<std::size_t>(io->GetImageSizeInBytes()));
   io->Read(samples.data());
   std::ofstream(raw, std::ios::binary)
@@ -92,7 +92,7 @@ void write(const std::vector<std::string>& words) {
   io->SetComponentType(Io::GetComponentTypeFromString(words.at(2)));
   io->SetUseCompression(words.at(3) == "1");
   io->SetFileName(file);
-  take_all(*io);
+  read_all(*io);
   std::ifstream raw(words.at(0), std::ios::binary);
   const std::vector<char> samples{std::istreambuf_iterator<char>(raw), {}};
   if (samples.size() != static_cast<std::size_t>(io->GetImageSizeInBytes()))

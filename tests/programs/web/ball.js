@@ -1,4 +1,4 @@
-// A volume that is made, not measured: a ball with a rough skin.
+// A generated volume: a ball with a rough surface.
 
 /** @returns {{dims: number[], spacing: number[], samples: Int16Array}} */
 export function roughBall(width = 48, height = 40, depth = 36) {

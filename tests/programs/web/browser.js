@@ -8,7 +8,7 @@ import { inOrder } from './command.js';
 const require = createRequire(new URL('../../../ports/web/', import.meta.url));
 const { chromium } = require('playwright-core');
 
-// Without a graphics card the browser copies every picture from where it is drawn, and warns of it.
+// Without a graphics card the browser copies every drawn picture, and warns about it.
 const ofSoftware = /GPU stall due to ReadPixels/;
 
 /** @returns {Promise<import('playwright-core').Browser>} */

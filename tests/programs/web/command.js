@@ -1,4 +1,4 @@
-// The command beside the page: what one makes of a volume the other must make, too.
+// The command, for comparison with the page: both must make the same of a volume.
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -1,4 +1,4 @@
-// The readers of the page read what those of the command read, or refuse it with a reason.
+// The page's readers read the same files as the command's, or refuse them with a reason.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

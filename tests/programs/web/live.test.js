@@ -1,4 +1,4 @@
-// Streams that are shown while they arrive.
+// Streams shown while they arrive.
 import assert from 'node:assert/strict';
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-// How fast the page is: not a test. Needs the environment of the tests (CMakeLists.txt).
+// Measures the speed of the page; not a test. Needs the environment of the tests (CMakeLists.txt).
 //   node measure.js VOLUME [FROM TO]      drags the threshold from FROM to TO and back
 import { statSync } from 'node:fs';
 import { openFiles, openPage, rested, startBrowser } from './browser.js';
@@ -38,7 +38,7 @@ const drag = () => page.evaluate(async ({ from, to, seconds }) => {
   return { extracted: times('extracted'), drawn: times('drawn'), elapsed: performance.now() - begin };
 }, { from: Number(from), to: Number(to), seconds });
 
-await drag(); // the browser compiles what is used often
+await drag(); // the browser compiles frequently used code
 const before = await used();
 const { extracted, drawn, elapsed } = await drag();
 const after = await used();

@@ -1,4 +1,4 @@
-// Where something of a damaged stream is missing.
+// The parts of a damaged stream that are missing.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -71,7 +71,7 @@ test('lost polygons are outlined by the sides that they shared with those that a
   for (const lost of [2, frames.length >> 1]) {
     const { module, state, lines, slices } = await decoded(frames.filter((_, i) => i !== lost));
     assert.equal(state.lostPackets, 1);
-    // By counting: a link that is left once where the whole surface has it twice.
+    // By counting: a link that occurs once, but twice in the whole surface.
     const counts = new Map();
     for (const link of linksOf(module).map(undirected)) counts.set(link, (counts.get(link) ?? 0) + 1);
     const expected = [...counts].filter(([, count]) => count % 2 === 1).map(([link]) => link).sort();

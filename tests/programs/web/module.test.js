@@ -1,4 +1,4 @@
-// The module makes of a volume what the command makes of it.
+// The module makes the same surfaces of volumes as the command.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-// The npm package, packed and installed as a program would have it.
+// The npm package, packed and installed like by a program.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { createServer } from 'node:http';
@@ -25,7 +25,7 @@ before(async () => {
   discmc = await load();
 });
 
-// Six times the volume inside; every edge once in each direction.
+// Six times the enclosed volume; every edge occurs once in each direction.
 function volumeOfClosed({ positions, triangles }) {
   const edges = new Map();
   let volume = 0;

@@ -1,4 +1,4 @@
-// The page in a browser: what a user does, and what then is there.
+// The page in a browser: actions of a user, and their results.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -126,7 +126,7 @@ test('a threshold given for a volume is dropped when a stream is opened meanwhil
   command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
   await openFiles(page, volume);
   await page.check('#classic');
-  await page.evaluate(() => { // the slider moves on while the stream is read
+  await page.evaluate(() => { // the slider moves while the stream is read
     const slider = document.querySelector('#threshold');
     let value = 100;
     globalThis.drag = setInterval(() => {
@@ -136,7 +136,7 @@ test('a threshold given for a volume is dropped when a stream is opened meanwhil
   });
   await page.setInputFiles('#files', stream);
   await streamTells(page, 'Complete');
-  await page.waitForTimeout(600); // longer than what need not follow a slider at once
+  await page.waitForTimeout(600); // longer than updates that need not follow a slider at once
   await page.evaluate(() => clearInterval(globalThis.drag));
   assert.ok(await page.isHidden('#error'), await page.textContent('#error-text'));
   assert.ok(await page.isHidden('#caption-classic'), 'no Marching Cubes of the volume beside the stream');
@@ -225,7 +225,7 @@ test('keys alone suffice: open, threshold, look around, measure, save', async ()
     }
     assert.fail(`no way to ${selector} by Tab`);
   };
-  page.on('filechooser', () => {}); // from here on the browser hands it over
+  page.on('filechooser', () => {}); // from now on the browser transfers the buffer
   await focus('#open');
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
   await chooser.setFiles(volume);
@@ -405,7 +405,7 @@ test('faces that face away are not drawn, and nothing that is seen is missing, f
   });
   const steps = 6;
   for (let step = 0; step < steps; ++step) {
-    // With a cut beyond the surface all is drawn, so that a few edges of the far side show through.
+    // With a cut beyond the surface everything is drawn, so a few edges of the far side show through.
     await page.uncheck('#cut');
     const picture = await pixelsOf(page);
     await page.check('#cut');
@@ -439,7 +439,7 @@ async function extentOf(page) {
 test('a head is upright, however its slices lie', async () => {
   const { page } = await openPage(browser, { viewport: small });
   const samples = new Int16Array(12 * 12 * 12).fill(0);
-  // A rod along the voxels' x, y or z, which is towards the head by the header.
+  // A rod along the voxels' x, y or z, which the header maps to the direction of the head.
   for (const axis of [0, 1, 2]) {
     samples.forEach((_, i) => {
       const at = [i % 12, Math.floor(i / 12) % 12, Math.floor(i / 144)];

@@ -1,5 +1,5 @@
-// Makes the first picture of the README: the page with a scan. It is smooth on the left, and has the
-// edges of the merged polygons on the right. Needs the environment of the tests (CMakeLists.txt).
+// Makes the first picture of the README: the page with a scan. It is smooth on the left, and shows the edges of merged
+// polygons on the right. Needs the environment of the tests (CMakeLists.txt).
 //   node picture.js PAGE.html PICTURE.png      a page that `discmc view` has made of a CT
 import { writeFileSync } from 'node:fs';
 import { now, openPage, rested, shown, startBrowser } from './browser.js';
@@ -17,7 +17,7 @@ const turned = await now(page);
 await page.focus('#view');
 for (const [key, times] of Object.entries(keys))
   for (let i = 0; i < times; ++i) await page.keyboard.press(key);
-await page.locator('#view').blur(); // without the frame of what has the focus
+await page.locator('#view').blur(); // without the focus frame
 
 async function shot(begin) {
   await rested(page, begin);

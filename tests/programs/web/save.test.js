@@ -1,4 +1,4 @@
-// What the page saves other programs read: here the command itself.
+// Other programs read the files that the page saves; here the command reads them.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';

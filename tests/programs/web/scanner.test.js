@@ -1,4 +1,4 @@
-// Firmware in QEMU whose stream is served: scripts/tools/show-scanner.
+// Firmware in QEMU with its stream served: scripts/tools/show-scanner.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -14,7 +14,7 @@ const folder = workFolder(after);
 const volume = join(folder, 'ball.nrrd'), stream = join(folder, 'ball.dmc');
 writeFileSync(volume, nrrdOf(roughBall()));
 process.env.DISCMC_BUILD = build;
-const mark = Buffer.from([0]); // a device that starts ends the frame that a reset has cut off
+const mark = Buffer.from([0]); // a device that starts ends the frame that a reset has cut
 
 /** What the firmware sends. */
 async function sentBy(t, ...options) {

@@ -1,4 +1,4 @@
-// Pages that the command writes with data inside.
+// Pages of the command with data inside.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -12,14 +12,14 @@ using reference::require_ok;
 
 namespace {
 
-// Enough slots that no fragment is ever sent for lack of them.
+// Enough slots that no fragment is sent early.
 constexpr Capacities capacities{512, 8};
 
-// The most that a block needs at once. A slot that is not given back is one more in some block.
+// The maximum number of slots in use per block. A leaked slot would exceed it in some block.
 constexpr uint32_t max_slots = 112;
 
-// The reference is compared with the paper's Merge for one block in this many: a prime, so that all
-// values of all rows occur.
+// Compares the reference with the paper's Merge for one block in this many. The number is prime, so
+// all values of all rows occur.
 constexpr uint64_t sample = 4093;
 
 }  // namespace
@@ -43,7 +43,7 @@ uint64_t BlockProver::prove(uint32_t slice, uint32_t share) {
   return proved_;
 }
 
-// The block's rows before this one are taken in.
+// Limit: the rows of the block before this one have been added.
 void BlockProver::take_rows(uint32_t row) {
   if (row == 2 * side && block() % share_ != 0) return;
   if (row == rows) return check_block();
@@ -65,7 +65,7 @@ void BlockProver::save(Saved& saved) const {
   saved.forest = forest_.mark();
 }
 
-// All pointers stay valid: every part returns to its place.
+// All pointers stay valid, because every part is restored at its own address.
 void BlockProver::put_back(const Saved& saved) {
   std::memcpy(static_cast<void*>(&extractor_), saved.extractor.data(), sizeof extractor_);
   std::copy(saved.memory.begin(), saved.memory.end(), memory_.begin());
@@ -83,17 +83,17 @@ void BlockProver::push_row(uint32_t row, uint32_t value) {
   add_cells(row);
 }
 
-// The rows of cells that this row of voxels, the last so far, completes.
+// Adds the rows of cells that this row of voxels completes.
 void BlockProver::add_cells(uint32_t row) {
   const auto y = static_cast<int32_t>(row % side);
   const auto z = static_cast<int32_t>(row / side);
   const bool is_closed = tables_.border == Border::closed;
-  const int32_t back = is_closed ? 0 : 1;  // an open volume's first row of cells needs two rows
+  const int32_t back = is_closed ? 0 : 1;  // the first row of an open volume completes no cells
   if (y >= back && z >= back) add_cell_row(y - back, z - back);
   if (is_closed && row % side == side - 1) add_cell_row(y + 1, z);
 }
 
-// Cells are numbered from 0, also those of the halo.
+// Cells are numbered from 0, including those of the halo.
 void BlockProver::add_cell_row(int32_t y, int32_t z) {
   const bool is_closed = tables_.border == Border::closed;
   const int32_t first = is_closed ? -1 : 0;
@@ -134,7 +134,7 @@ void BlockProver::check_block() {
                   std::to_string(block()) + ": " + what);
 }
 
-// What is wrong with the block's surface, or nullptr.
+// Returns the fault of the block's surface, or nullptr.
 const char* BlockProver::flaw() const {
   const RegionCheck::Sum& sum = check_.sum();
   if (sum.unpaired != 0) return "an inner link that is used in one direction only";
@@ -144,7 +144,7 @@ const char* BlockProver::flaw() const {
   return nullptr;
 }
 
-// Compares the reference with the paper's Merge, which is written without regard to time.
+// Compares the reference with the paper's Merge, a slow, independent implementation.
 void BlockProver::check_reference() const {
   const bool is_closed = tables_.border == Border::closed;
   const reference::BitVolume volume = reference::from_bits({side, side, side}, block());
@@ -154,7 +154,7 @@ void BlockProver::check_reference() const {
     throw Disproved("block " + std::to_string(block()) + ": the references differ");
 }
 
-// The block as a number: bit x + 3 y + 9 z is voxel (x, y, z).
+// Returns the block as a number: bit x + 3 y + 9 z is voxel (x, y, z).
 uint64_t BlockProver::block() const {
   uint64_t bits = 0;
   for (uint32_t row = 0; row < rows; ++row) bits |= uint64_t{value_[row]} << side * row;

@@ -1,8 +1,8 @@
 // Sweeps every block of 3 x 3 x 3 voxels that begins with a given slice, and checks each.
 //
-// Rows are the digits of a number. Before each row the extractor, its memory, the sink and the
-// reference are saved; the next value of the row begins from there. Every block is thus a whole
-// scan, but blocks with the same first rows share their work.
+// Rows are the digits of a number. Before each row, the extractor, its memory, the sink and the
+// reference are saved; the next value of the row starts from there. So every block is a whole scan,
+// but blocks with the same first rows share their work.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@
 
 namespace discmc::prove {
 
-constexpr uint32_t side = 3;  ///< voxels a row, rows a slice, slices
+constexpr uint32_t side = 3;  ///< voxels per row, rows per slice, slices
 constexpr uint32_t rows = side * side;
 constexpr uint32_t row_values = 1U << side;
-constexpr uint32_t slice_values = 1U << side * side;  ///< and blocks have as many first slices
+constexpr uint32_t slice_values = 1U << side * side;  ///< number of values of a slice
 
-/// What blocks are checked with: made once, for all threads.
+/// What all threads share to check blocks.
 struct Tables {
   Border border;
   Lattice lattice;
@@ -34,7 +34,7 @@ struct Tables {
                of_border == Border::closed ? -1 : 0) {}
 };
 
-/// A block whose surface is wrong, and how.
+/// A block whose surface is wrong, and the fault.
 struct Disproved : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -45,14 +45,14 @@ class BlockProver {
   BlockProver(const BlockProver&) = delete;
   BlockProver& operator=(const BlockProver&) = delete;
 
-  /// Checks the blocks that begin with the slice, those of one in `share` second slices. Returns
-  /// their number. Errors: throws Disproved.
+  /// Checks all blocks whose first slice is `slice`, and whose second slice is one in `share`.
+  /// Returns their number. Errors: throws Disproved.
   uint64_t prove(uint32_t slice, uint32_t share);
 
  private:
-  // What the scan came to before a row.
+  // The state of a scan before a row.
   struct Saved {
-    std::array<uint8_t, sizeof(Extractor16)> extractor;  // its bytes: it stays where it is
+    std::array<uint8_t, sizeof(Extractor16)> extractor;  // its bytes; restored at the same address
     std::vector<uint8_t> memory;
     RegionCheck::Sum sum;
     Forest::Mark forest;
@@ -76,7 +76,7 @@ class BlockProver {
   std::vector<uint8_t> memory_;
   Extractor16 extractor_;
   std::array<Saved, rows> saved_;
-  std::array<uint8_t, rows> value_{};  // of the block's rows
+  std::array<uint8_t, rows> value_{};  // of the rows of the block
   uint32_t share_ = 1;
   uint64_t proved_ = 0;
 };

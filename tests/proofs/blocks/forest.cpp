@@ -20,7 +20,7 @@ std::vector<FacetLink> links_of(Facet facet) {
   return links;
 }
 
-// The edges that two facets of one plane share: they run along them in opposite directions.
+// The edges that two facets of one plane share. The facets use them in opposite directions.
 int shared_edges(Facet a, Facet b) {
   int count = 0;
   if (incidence_of(a) != incidence_of(b)) return count;
@@ -30,7 +30,7 @@ int shared_edges(Facet a, Facet b) {
   return count;
 }
 
-// By facet of the configuration: the number of its group.
+// The group of each facet of the configuration.
 std::vector<uint8_t> number_groups(const std::vector<Facet>& facets) {
   std::vector<uint8_t> label(facets.size());
   for (size_t i = 0; i < label.size(); ++i) label[i] = static_cast<uint8_t>(i);
@@ -52,7 +52,7 @@ std::vector<Facet> facets_of(int configuration) {
           facet_table.facet + facet_table.first[configuration + 1]};
 }
 
-// The middle of a link, without the coordinate that all links of the face share.
+// The midpoint of a link, without the coordinate that all links of the face have in common.
 uint8_t place_on(int face, const FacetLink& link) {
   Vertex middle = position(link.from) + position(link.to);
   if (face % 3 == 0) middle.x = 0;
@@ -133,7 +133,7 @@ void Forest::add(int32_t x, int32_t y, int32_t z, Configuration configuration) {
   if (z > 0) join_across(face_below, cell, cells_[table_.cell(x, y, z - 1)]);
 }
 
-// Both cells list the same links, by place, as they see the same corners of the face.
+// Both cells list the same links in the same order, because they share the corners of the face.
 void Forest::join_across(Face face, const Placed& cell, const Placed& behind) {
   const CellGroups& groups = table_.groups(cell.configuration);
   const CellGroups& others = table_.groups(behind.configuration);

@@ -1,8 +1,8 @@
-// The regions of a small block straight from their definition: facets joined across shared edges.
+// The regions of a small block from their definition: facets joined across shared edges.
 //
-// It is fast because the facets of a cell are tabulated by configuration, and because cells can be
-// removed, last in first out. Blocks with the same first cells share their work. The forest uses
-// the facets of cells, but no sectors, passes or queues.
+// The facets of a cell are tabulated by configuration, and cells are removed last in, first out.
+// Blocks with the same first cells share their work. The forest uses the facets of cells, but no
+// sectors, passes or queues.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace discmc::prove {
 
-/// The facets of one configuration that hang together within the cell, as groups.
+/// The groups of facets of one configuration that are connected within the cell.
 struct CellGroups {
   static constexpr int max_groups = 7;
 
@@ -27,13 +27,13 @@ struct CellGroups {
   uint8_t links;  ///< around all groups
   Incidence incidence[max_groups];
   uint8_t face_links[faces];
-  FaceLink link[faces][2];  ///< by place
+  FaceLink link[faces][2];  ///< sorted by position
 };
 
-/// What is known of every configuration, and of every group in every cell of a block.
+/// Tables of all configurations, and of the groups of every cell of a block.
 class GroupTable {
  public:
-  /// `side` cells along each axis; the first of them has corner 0 at voxel `first` on each axis.
+  /// A cube of `side` cells. On each axis, corner 0 of its first cell is at voxel `first`.
   GroupTable(int32_t side, int32_t first);
 
   const CellGroups& groups(Configuration configuration) const { return groups_[configuration]; }
@@ -42,7 +42,7 @@ class GroupTable {
     return static_cast<size_t>((z * side_ + y) * side_ + x);
   }
 
-  /// The hash of the links around a group. Both are in the terms of reference::fingerprint().
+  /// The hash of the links around a group, computed like reference::fingerprint().
   uint64_t hash(size_t cell, Configuration configuration, int group) const {
     return hashes_[cell * configurations + configuration][static_cast<size_t>(group)];
   }
@@ -53,15 +53,15 @@ class GroupTable {
   std::vector<std::array<uint64_t, CellGroups::max_groups>> hashes_;  // by cell and configuration
 };
 
-/// A union-find forest over the groups of the cells taken in, in the order x, y, z.
+/// A union-find forest over the groups of the added cells, in the order x, y, z.
 class Forest {
  public:
   explicit Forest(const GroupTable& table);
 
-  /// Joins a cell's groups with those across the three faces behind it.
+  /// Joins a cell's groups with those across the three faces towards lower coordinates.
   void add(int32_t x, int32_t y, int32_t z, Configuration configuration);
 
-  /// Where the forest is; going back takes out all that was taken in since.
+  /// The position in the forest. go_back() removes all cells added since.
   struct Mark {
     uint32_t nodes, unions, links;
     uint64_t fingerprint;
@@ -69,17 +69,16 @@ class Forest {
   Mark mark() const { return {nodes_, unions_, links_, fingerprint_}; }
   void go_back(const Mark& mark);
 
-  /// The fingerprint of reference::fingerprint_of_cells(), were the cells taken in the whole
-  /// volume.
+  /// Returns the value of reference::fingerprint_of_cells() for a volume of the added cells.
   uint64_t fingerprint() const { return fingerprint_; }
-  /// The links of all boundaries.
+  /// Returns the number of links of all boundaries.
   uint32_t links() const { return links_; }
 
  private:
   struct Node {
     uint32_t parent;
     Incidence incidence;
-    uint64_t hash;  // of a root: of its region's boundary
+    uint64_t hash;  // of a root: the hash of its region's boundary
   };
   struct Placed {
     Configuration configuration;
@@ -100,7 +99,7 @@ class Forest {
   uint64_t fingerprint_ = 0;
   std::vector<Placed> cells_;
   std::vector<Node> nodes_of_;
-  std::vector<uint32_t> united_;  // the roots that became children, in this order
+  std::vector<uint32_t> united_;  // the roots that became children, in the order of joining
 };
 
 }  // namespace discmc::prove

@@ -1,4 +1,4 @@
-// Proves by exhaustion that every block of 3 x 3 x 3 voxels is swept as it should be. See usage.
+// Proves by exhaustion that the sweep of every block of 3 x 3 x 3 voxels is correct. See usage.
 #include <time.h>
 
 #include <algorithm>
@@ -81,7 +81,7 @@ double processor_seconds() {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
 }
 
-// What is proved, by the blocks' first slice; on disk a line each.
+// The proved first slices of blocks. The file has one line per slice.
 class Progress {
  public:
   explicit Progress(const std::string& path) {
@@ -142,7 +142,7 @@ class Progress {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// Threads that take one slice after another, until all are proved or a block is found wrong.
+// Threads that prove one slice after another, until all are proved or a block is wrong.
 class Proof {
  public:
   Proof(const Options& options, Progress& progress) : options_(options), progress_(progress) {
@@ -150,7 +150,7 @@ class Proof {
       if (!progress.is_proved(slice)) slices_.push_back(slice);
   }
 
-  /// What is wrong, or nothing.
+  /// Returns the fault, or an empty text.
   std::string run() {
     std::vector<std::thread> threads;
     running_ = options_.threads;
@@ -193,7 +193,7 @@ class Proof {
   Progress& progress_;
   const Tables closed_{Border::closed};
   const Tables open_{Border::open};
-  std::vector<uint32_t> slices_;  // still to prove
+  std::vector<uint32_t> slices_;  // not proved yet
   std::atomic<size_t> next_{0};
   std::mutex mutex_;
   std::condition_variable ended_;

@@ -1,4 +1,4 @@
-// A sink that checks the surface of a small block event by event. It sums the surface up in a few
+// A sink that checks the surface of a small block event by event. It reduces the surface to a few
 // words, which can be saved and restored.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace discmc::prove {
 
-/// The lattice of a block of 3 x 3 x 3 voxels and of the halo around it, as a table.
+/// A table of the lattice of a block of 3 x 3 x 3 voxels with its halo.
 class Lattice {
  public:
   static constexpr int32_t first = -1, last = 5;  ///< coordinates. Units: half-steps
@@ -18,8 +18,8 @@ class Lattice {
   static constexpr size_t vertices = size_t{side} * side * side;
 
   struct Step {
-    uint64_t hash;  ///< in the terms of reference::fingerprint()
-    int16_t to;     ///< -1 where the link leads out of the lattice
+    uint64_t hash;  ///< hashed as by reference::fingerprint()
+    int16_t to;     ///< -1 if the link leaves the lattice
     bool is_inner;  ///< not on a face where an open volume ends
   };
 
@@ -40,10 +40,10 @@ class RegionCheck {
  public:
   /// The sums over the regions so far; plain data.
   struct Sum {
-    uint64_t fingerprint = 0;                  ///< that of reference::fingerprint()
+    uint64_t fingerprint = 0;                  ///< as of reference::fingerprint()
     uint32_t links = 0;                        ///< of all rings
-    int32_t unpaired = 0;                      ///< inner links whose opposite is not there
-    uint32_t is_used[Lattice::vertices] = {};  ///< by vertex, a bit for each link from there
+    int32_t unpaired = 0;                      ///< inner links without their opposite
+    uint32_t is_used[Lattice::vertices] = {};  ///< by vertex: a bit per link that starts there
   };
 
   explicit RegionCheck(const Lattice& lattice) : lattice_(lattice) {}

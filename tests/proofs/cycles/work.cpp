@@ -1,4 +1,4 @@
-// The scans whose cycles are estimated, the same on every processor, and the work of a device in
+// The scans whose cycles are estimated, equal on every processor, and the work of a device for
 // each. The costs are fitted to some of the scans, and checked against the others.
 //
 // Real scans come from files, if these exist: head.raw, 256x256x113 samples of 16 bits, and
@@ -57,7 +57,7 @@ static uint8_t tube(int32_t x, int32_t y, int32_t z) {
   const int32_t across = square(2 * x - 63 - z) + square(2 * y - 63 + z / 2);
   return on_where(across < square(56) && across > square(44));
 }
-// Not fitted: a body with a winding tunnel, and noise in two slices of it.
+// Not fitted: a body with a winding tunnel, and noise in two of its slices.
 static uint8_t body(int32_t x, int32_t y, int32_t z) {
   const int32_t u = 2 * x - 79, v = 2 * y - 59, w = 4 * z - 47;
   const bool is_in =
@@ -82,13 +82,13 @@ struct Volume {
 };
 
 struct Rows {
-  uint64_t on = 0;     // voxels in them
-  uint64_t steps = 0;  // that slices encode
+  uint64_t on = 0;     // number of on voxels
+  uint64_t steps = 0;  // voxels that slices encode
 };
 
 template <class Sample>
-static void tell_work(const Volume& volume, uint64_t on, uint64_t cells, uint64_t steps,
-                      uint64_t bytes) {
+static void print_work(const Volume& volume, uint64_t on, uint64_t cells, uint64_t steps,
+                       uint64_t bytes) {
   const uint32_t rows = volume.limits.height * volume.slices;
   const uint32_t voxels = rows * volume.limits.width;
   board::report("voxels_8", sizeof(Sample) == 1 ? voxels : 0);
@@ -123,18 +123,18 @@ template <class Sample, class MakeRows>
                                    MakeRows rows) {
   board::report(name, static_cast<uint32_t>(arena));
   const Rows counted = count_rows<Sample>(volume, rows());
-  bool good = encoder.start(volume.header().label(), {nullptr, take_bytes}) == Status::ok &&
+  bool good = encoder.start(volume.header().label(), {nullptr, discard_bytes}) == Status::ok &&
               extractor.start(volume.limits, volume.threshold, {memory, arena},
                               make_sink(encoder)) == Status::ok &&
               push_and_finish<Sample>(extractor, volume.limits, volume.slices, rows());
   const Statistics statistics = extractor.statistics();
-  tell_work<Sample>(volume, counted.on, statistics.cells, statistics.links, encoder.bytes());
+  print_work<Sample>(volume, counted.on, statistics.cells, statistics.links, encoder.bytes());
   good = good &&
          slice_encoder.start(
              {volume.limits, {volume.threshold}, key_slice_interval, 1, volume.header().label()},
-             memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
+             memory_of(memory), {nullptr, discard_bytes}) == Status::ok &&
          push_and_finish<Sample>(slice_encoder, volume.limits, volume.slices, rows());
-  tell_work<Sample>(volume, counted.on, 0, counted.steps, slice_encoder.bytes());
+  print_work<Sample>(volume, counted.on, 0, counted.steps, slice_encoder.bytes());
   return good;
 }
 
@@ -172,7 +172,8 @@ int main() {
   const Volume cube{ball, ball.width};
   const Volume flat{{64, 64}, 24}, thin{{64, 64}, 6}, low{{80, 60}, 24}, hilly{{120, 68}, 16};
   const size_t all = sizeof memory;
-  // In this order estimate.awk reads the blocks. Names begin with what the scan is for.
+  // estimate.awk reads the blocks in this order. The first word of a name is the purpose of the
+  // scan.
   const bool good = scan_of<uint8_t>("fit_empty", wide, all, outside) &&
                     scan_of<uint16_t>("fit_empty_16", wide, all, outside) &&
                     scan_of<uint8_t>("fit_narrow", narrow, all, outside) &&

@@ -1,6 +1,6 @@
-// Twice the work takes twice the time: for families of volumes and each part of the library, basic
-// blocks are counted at two sizes. Work is voxels, events, links and bytes. If it doubles, blocks
-// may grow by 2.3; what grows with the square of the work grows by 4.
+// Twice the work takes twice the time, for each part of the library. Basic blocks are counted for
+// families of volumes at two sizes. Work is voxels, events, links and bytes. If work doubles,
+// blocks may grow by a factor of 2.3; quadratic time would grow by 4.
 
 #include <charconv>
 #include <cinttypes>
@@ -27,12 +27,12 @@ Exit status: 0, or 1 if a part grows by more than 2.3 per doubling of work, or 2
 that is not understood.
 )";
 
-constexpr double max_growth = 2.3;  // per doubling of work
+constexpr double max_growth = 2.3;  // per doubling of the work
 constexpr int sizes = 2;
 
 constexpr const char* part_names[] = {"extractor", "encoder", "decoder", "joiner"};
 
-// By how much blocks grow if work doubles.
+// Returns the factor by which blocks grow if the work doubles.
 double growth(const Effort& before, const Effort& after) {
   const auto ratio = [](uint64_t a, uint64_t b) {
     return std::log2(static_cast<double>(b) / static_cast<double>(a));
@@ -40,7 +40,7 @@ double growth(const Effort& before, const Effort& after) {
   return std::exp2(ratio(before.blocks, after.blocks) / ratio(before.work, after.work));
 }
 
-// Whether a part does so little that its first steps count.
+// Whether a part does so little work that its fixed costs dominate.
 bool is_small(const Effort& effort) {
   return effort.blocks < 1000000;
 }

@@ -8,7 +8,7 @@ namespace {
 
 using namespace reference;
 
-// Holes of 6 x 6 voxels, a period of 8; perhaps an island in each.
+// Holes of 6 x 6 voxels with a period of 8; optionally an island in each.
 bool is_plate(uint32_t n, uint32_t x, uint32_t y, bool has_islands) {
   const auto is_rim = [n](uint32_t at) { return at == 0 || at + 1 == n; };
   const auto is_middle = [](uint32_t at) { return at % 8 / 2 == 1; };
@@ -36,7 +36,7 @@ const Family families[] = {
      [](uint32_t n) {
        return volume_of({n, n, 1}, [n](auto x, auto y, auto) { return is_plate(n, x, y, true); });
      }},
-    // The same on every second slice: as many planes as holes in a row.
+    // The same holes on every second slice: as many planes as holes per row.
     {"many plates with islands", 64,
      [](uint32_t n) {
        return volume_of({n, n, n / 8}, [n](auto x, auto y, auto z) {
@@ -60,7 +60,7 @@ const Family families[] = {
      [](uint32_t n) {
        return comb({n, n, 2});
      }},
-    // Teeth that point up and down by turns, joined at the last row and at the first.
+    // Teeth that point up and down alternately, joined at the first and the last row.
     {"meander", 128,
      [](uint32_t n) {
        return volume_of({n, n, 2}, [n](auto x, auto y, auto) {

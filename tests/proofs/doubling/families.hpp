@@ -1,5 +1,5 @@
-// Families of volumes: the same structure at every size, so that twice the size is twice, four
-// times or eight times the work.
+// Families of volumes with the same structure at every size. Twice the size means two, four or
+// eight times the work.
 #pragma once
 
 #include "oracle/volume.hpp"
@@ -8,11 +8,11 @@ namespace discmc::doubling {
 
 struct Family {
   const char* name;
-  uint32_t size;  ///< the first; the second is twice as large
+  uint32_t size;  ///< the smaller size; the other one is twice as large
   reference::BitVolume (*make)(uint32_t size);
 };
 
-/// All of them.
+/// Returns all families.
 extern const Family families[];
 extern const size_t family_count;
 

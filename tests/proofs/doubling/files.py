@@ -1,4 +1,4 @@
-"""Files of volumes for the command, each as large as it is asked for."""
+"""Writes files of volumes of any size for the command."""
 import json
 import os
 import struct
@@ -29,7 +29,7 @@ def png(width, rows):
 
 
 def tiff(width, height, pages, description=''):
-    """pages: samples of each."""
+    """pages: the samples of each page."""
     bytes_of = bytearray(b'II*\0\x08\0\0\0')
     for number, samples in enumerate(pages):
         text = description.encode() + b'\0' if number == 0 and description else b''
@@ -50,7 +50,7 @@ def tiff(width, height, pages, description=''):
 
 
 def dicom(elements):
-    """elements: (group, element, VR, value), in order; the value of a sequence is a list of items."""
+    """elements: (group, element, VR, value), in order. The value of a sequence is a list of items."""
     def element(group, number, vr, value):
         if isinstance(value, list):
             value = b''.join(struct.pack('<HHI', 0xFFFE, 0xE000, len(item)) + item

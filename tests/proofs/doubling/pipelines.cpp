@@ -38,7 +38,7 @@ namespace {
 Efforts* efforts = nullptr;
 Part running = tests;
 
-// Counts blocks for a part as long as it exists.
+// Counts the blocks of a part during its lifetime.
 class Running {
  public:
   explicit Running(Part part) : before_(running) { running = part; }
@@ -50,8 +50,8 @@ class Running {
   Part before_;
 };
 
-// A sink before a part. Counts its events as the work of this part and of the part before. Only an
-// extractor follows each link.
+// A sink in front of a part. Counts its events as work of the part before and of the part behind.
+// Only extractors follow each link.
 template <class Next>
 class Metered {
  public:
@@ -86,7 +86,7 @@ struct Nowhere {
 
 // ---- behind an extractor ----
 
-// Joins what comes, in memory for all vertices. The joiner clears its table, which is little work.
+// Joins events, with memory for all vertices. Clearing the joiner's table is little work.
 class Joined {
  public:
   Joined(const Scanned& scanned, InputOrder order, Part before)
@@ -109,7 +109,7 @@ class Joined {
   Metered<Joiner> begin_;
 };
 
-// Encodes what comes, decodes it and joins it.
+// Encodes events, decodes the packets, and joins the decoded events.
 class Streamed {
  public:
   explicit Streamed(const Scanned& scanned)
@@ -170,7 +170,7 @@ struct Scan {
 
   using Index = std::conditional_t<std::is_same_v<Scanner, Extractor16>, uint16_t, uint32_t>;
   uint64_t bytes;
-  std::unique_ptr<uint8_t[]> memory;  // untouched until it is used
+  std::unique_ptr<uint8_t[]> memory;  // uninitialised memory
   Scanner scanner;
 };
 
@@ -182,7 +182,7 @@ void scan(const Scanned& scanned, const Capacities& capacities) {
   streamed.finish();
 }
 
-// A slab for each slice, or sixteen: all that crosses their seams is joined.
+// Extracts slabs of one slice, or of sixteen, and joins everything that crosses their seams.
 template <class Scanner>
 void scan_slabs(const Scanned& scanned) {
   const BitVolume& volume = scanned.volume;
@@ -245,14 +245,14 @@ class Sliced {
 void firmware(const Scanned& scanned) {
   scan(scanned, ample_for(scanned));
 }
-// Slots for some rows alone: most fragments go out loose.
+// Slots for a few rows only, so most fragments are sent loose.
 void firmware_short(const Scanned& scanned) {
   scan(scanned, {100 + 2 * scanned.volume.width, scanned.volume.width});
 }
 void firmware_least(const Scanned& scanned) {
   scan(scanned, minimum_capacities());
 }
-// Whole regions in one call.
+// Encodes whole regions by one call.
 void host(const Scanned& scanned) {
   const BitVolume& volume = scanned.volume;
   Nowhere nowhere;
@@ -287,7 +287,7 @@ Efforts run(const Pipeline& pipeline, const BitVolume& volume) {
 
 }  // namespace discmc::doubling
 
-// The name is the compiler's.
+// The compiler's instrumentation requires this name.
 extern "C" void __sanitizer_cov_trace_pc();  // NOLINT(bugprone-reserved-identifier)
 void __sanitizer_cov_trace_pc() {            // NOLINT(bugprone-reserved-identifier)
   using namespace discmc::doubling;

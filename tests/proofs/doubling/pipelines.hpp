@@ -1,4 +1,4 @@
-// The pipelines: extractors, and behind them encoder, decoder and joiner. The work of each part is
+// The pipelines: extractors, followed by encoder, decoder and joiner. The work of each part is
 // counted separately.
 #pragma once
 
@@ -10,10 +10,10 @@ namespace discmc::doubling {
 
 enum Part : uint8_t { extractor, encoder, decoder, joiner, tests, parts };
 
-/// What a part was given, and what the library did with it.
+/// The input and output of a part, and the cost of processing them.
 struct Effort {
-  uint64_t work = 0;    ///< voxels, events, links and bytes that went in or came out
-  uint64_t blocks = 0;  ///< basic blocks executed
+  uint64_t work = 0;    ///< voxels, events, links and bytes, in and out
+  uint64_t blocks = 0;  ///< executed basic blocks
 };
 struct Efforts {
   Effort of[parts];
@@ -26,11 +26,11 @@ struct Pipeline {
   void (*run)(const Scanned& scanned);
 };
 
-/// All of them.
+/// Returns all pipelines.
 extern const Pipeline pipelines[];
 extern const size_t pipeline_count;
 
-/// Counts what a volume takes.
+/// Returns the work and the blocks of each part for a volume.
 Efforts run(const Pipeline& pipeline, const reference::BitVolume& volume);
 
 }  // namespace discmc::doubling

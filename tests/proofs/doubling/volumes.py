@@ -1,4 +1,4 @@
-"""Families of volumes for the command: u8 samples, 0 and 1, the same structure at every size."""
+"""Families of volumes for the command: u8 samples, 0 and 1, with the same structure at every size."""
 import random
 
 
@@ -7,7 +7,7 @@ def rows(width, is_on):
 
 
 def plate(n, has_islands):
-    """One slice with holes of 6 x 6 voxels, a period of 8."""
+    """One slice with holes of 6 x 6 voxels, with a period of 8."""
     def row(y):
         is_rim = y in (0, n - 1)
         return rows(n, lambda x: is_rim or x in (0, n - 1) or x % 8 > 5 or y % 8 > 5 or
@@ -82,7 +82,7 @@ def slope(n):
 
 
 def disc(n):
-    """A disc of one slice: its polygon has as many corners as its rim."""
+    """A disc of one slice. The corners of its polygon grow with its rim."""
     def row(y):
         rest = n * n - (2 * y - n + 1) ** 2
         return rows(n, lambda x: (2 * x - n + 1) ** 2 < rest)
@@ -90,7 +90,7 @@ def disc(n):
 
 
 def spikes(n):
-    """One polygon with n/2 teeth of different lengths, and a hole in every second one."""
+    """One polygon with n/2 teeth of different lengths, and a hole in every second tooth."""
     def row(y):
         return rows(n, lambda x: y < 4 or (x % 6 < 4 and y < 8 + (x // 6 * 37) % n and
                                            not (x % 6 in (1, 2) and y % 4 == 1)))
@@ -98,7 +98,7 @@ def spikes(n):
 
 
 def bodies_in_cavities(n):
-    """Of 6 x 6 x 6 voxels, with a voxel in each cavity: as many bodies as cavities."""
+    """Boxes of 6 x 6 x 6 voxels, each with a cavity that contains a voxel: as many bodies as cavities."""
     def row(y, z):
         def is_on(x):
             inside = [at % 6 - 1 for at in (x, y, z)]
@@ -109,7 +109,7 @@ def bodies_in_cavities(n):
 
 
 def bodies_in_a_cavity(n):
-    """Voxels in the one cavity of a box, all on one plane, below a ragged roof."""
+    """Voxels in the only cavity of a box, all on one plane, below a ragged roof."""
     def row(y, z):
         is_wall = y in (0, n - 1) or z in (0, 5)
         return rows(n, lambda x: is_wall or x in (0, n - 1) or

@@ -1,4 +1,4 @@
-// Streams of a volume whose instructions are counted, by the encoders of a device.
+// Encodes streams of a volume as on a device, with their instructions counted.
 #pragma once
 
 #include <board.hpp>
@@ -9,7 +9,7 @@
 
 namespace discmc::test {
 
-/// payloads.cpp has the same arena, so the streams are equal.
+/// The arena is as large as in payloads.cpp, so the streams are equal.
 alignas(4) inline uint8_t memory[88 * 1024];
 
 struct Volume {
@@ -26,10 +26,11 @@ template <class Sample, class Rows>
 bool count_regions(const char* name, const Volume& volume, Rows rows) {
   static Extractor16 extractor;
   static Encoder encoder;
-  const bool good = encoder.start(volume.header().label(), {nullptr, take_bytes}) == Status::ok &&
-                    extractor.start(volume.limits, volume.threshold, memory_of(memory),
-                                    make_sink(encoder)) == Status::ok &&
-                    push_and_finish<Sample>(extractor, volume.limits, volume.slices, rows);
+  const bool good =
+      encoder.start(volume.header().label(), {nullptr, discard_bytes}) == Status::ok &&
+      extractor.start(volume.limits, volume.threshold, memory_of(memory), make_sink(encoder)) ==
+          Status::ok &&
+      push_and_finish<Sample>(extractor, volume.limits, volume.slices, rows);
   board::report(name, static_cast<uint32_t>(encoder.bytes()));
   return good;
 }
@@ -41,13 +42,14 @@ bool count_slices(const char* name, const Volume& volume, uint32_t key_slice_int
   static SomeSliceEncoder encoder;
   const SliceEncoderConfig config{
       volume.limits, {volume.threshold}, key_slice_interval, 1, {volume.slices}, levels};
-  const bool good = encoder.start(config, memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
-                    push_and_finish<Sample>(encoder, volume.limits, volume.slices, rows);
+  const bool good =
+      encoder.start(config, memory_of(memory), {nullptr, discard_bytes}) == Status::ok &&
+      push_and_finish<Sample>(encoder, volume.limits, volume.slices, rows);
   board::report(name, static_cast<uint32_t>(encoder.bytes()));
   return good;
 }
 
-/// Rows: each stream makes one. In this order payloads.awk reads the counts.
+/// Rows: constructed once per stream. payloads.awk reads the counts in this order.
 template <class Sample, class Rows>
 bool count_kinds(const char* name, const Volume& volume) {
   return count_regions<Sample>(name, volume, Rows{}) &&

@@ -1,4 +1,4 @@
-// Flash: a decoder, with a sink that throws everything away.
+// Flash: a decoder, with a sink that discards all events.
 #include <discmc/decoder.hpp>
 
 using namespace discmc;

@@ -1,2 +1,2 @@
-// Flash: nothing, which the other programs are compared with.
+// Flash: an empty program, the baseline of the others.
 extern "C" void run() {}

@@ -1,4 +1,4 @@
-// Flash: an extractor of 8-bit samples and an encoder that is its sink: a scanner.
+// Flash: a scanner, that is an extractor of 8-bit samples and its encoder.
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 

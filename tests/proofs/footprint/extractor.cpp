@@ -1,4 +1,4 @@
-// Flash: an extractor of 8-bit samples, with a sink that throws everything away.
+// Flash: an extractor of 8-bit samples, with a sink that discards all events.
 #include <discmc/extractor.hpp>
 
 using namespace discmc;

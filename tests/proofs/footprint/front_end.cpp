@@ -1,5 +1,5 @@
-// The work of the stages before the extractor; count_front_end counts its instructions. Each report
-// is the divisor of the count before it: samples, voxels or rows.
+// The work of the stages before the extractor. count_front_end counts its instructions. Each report
+// is the divisor of the previous count: samples, voxels or rows.
 #include <board.hpp>
 #include <discmc/discmc.hpp>
 
@@ -64,7 +64,7 @@ bool count_filters() {
   static Downsampler<uint8_t> means;
   static RowCropper cropper;
   if (filter.start(limits, memory_of(memory)) != Status::ok) return false;
-  // Each but the first rows also makes the row that is due.
+  // From the second row on, each call also processes the row that is due.
   for (uint32_t row = 0; row <= height; ++row) (void)filter.push(bits);
   count("majority_filter", width, rows, [] { (void)filter.push(bits); });
   if (means.start(limits, 2, memory_of(memory)) != Status::ok) return false;

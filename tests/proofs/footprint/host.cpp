@@ -1,4 +1,4 @@
-// The counted work on the host, for its results alone.
+// Runs the counted work on the host, only for its results.
 #include <stdio.h>
 #include <stdlib.h>
 #include <board.hpp>

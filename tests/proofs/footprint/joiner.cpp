@@ -1,4 +1,4 @@
-// Flash: a joiner, with a sink that throws everything away.
+// Flash: a joiner, with a sink that discards all events.
 #include <discmc/joiner.hpp>
 
 using namespace discmc;

@@ -1,5 +1,5 @@
-// The marks for the plugin: it adds up the instructions between on and off, and at the mark
-// `report` prints the sum and resets it.
+// Marks for the plugin. It adds up the instructions between the marks `on` and `off`. At the mark
+// `report` it prints the sum and resets it.
 #pragma once
 
 extern "C" {

@@ -1,5 +1,5 @@
-// The work of regions and of slices side by side, whose instructions are counted, and its results.
-// The streams need a larger board than those of work.cpp.
+// Encodes the same volumes as regions and as slices. Counts the instructions, and prints the
+// results. The streams need a larger board than those of work.cpp.
 #include "counted_streams.hpp"
 #include "tuning/slice_steps.hpp"
 
@@ -30,7 +30,7 @@ constexpr Volume noise{{64, 64}, 16, threshold};
 
 // ---- steps ----
 
-// The coded voxels and runs of a volume.
+// Counts the coded voxels and runs of a volume.
 template <class Rows>
 static uint32_t steps(const Volume& volume, Rows samples) {
   command::SliceSteps steps;

@@ -1,8 +1,8 @@
-// The bytes that volumes take as regions and as slices, and what a lost packet takes with it:
+// Prints the bytes of volumes as regions and as slices, and the cost of a lost packet:
 //   payloads [FOLDER COUNTED]
-// Prints one figure per line: group, name, column and value, separated by tabs. Given a folder of
-// real scans it includes two of them, and writes all, and generated volumes, to folders in COUNTED,
-// for volume_work.cpp.
+// Each line has one figure: group, name, column and value, separated by tabs. FOLDER has real
+// scans, two of which are included. All volumes are written to folders in COUNTED, for
+// volume_work.cpp.
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -23,7 +23,7 @@ using namespace discmc;
 using reference::BitVolume;
 using test::Bytes;
 
-// As on the board. Units: bytes.
+// The same as on the board. Units: bytes.
 constexpr size_t arena = 88 * 1024;
 
 struct Payload {
@@ -63,7 +63,7 @@ SinkResult ignore(void*, const RowEvent&) {
   return SinkResult::accepted;
 }
 
-// The share of a volume's rows that do not arrive. Units: percent.
+// The part of a volume's rows that do not arrive. Units: percent.
 double lost_rows(const std::vector<Bytes>& frames, size_t lost, const BitVolume& volume) {
   reference::Block block(SliceDecoder::minimum_bytes({volume.width, volume.height}));
   SliceDecoder decoder;
@@ -74,8 +74,8 @@ double lost_rows(const std::vector<Bytes>& frames, size_t lost, const BitVolume&
   return 100.0 * static_cast<double>(decoder.report().lost_rows) / (volume.height * volume.depth);
 }
 
-// The share of the data that a lost packet costs, in percent, on average over packets other than
-// headers and trailers. A packet of regions costs only its own records.
+// The part of the data that a lost packet costs, on average over packets other than headers and
+// trailers. A packet of regions costs only its own records. Units: percent.
 double mean_loss(const Bytes& stream, const BitVolume& volume) {
   const std::vector<Bytes> frames = test::frames_of(stream);
   double rows = 0;
@@ -127,7 +127,7 @@ BitVolume voxels_of(const bench::Volume& volume) {
   return voxels;
 }
 
-// The folder of each is its number, with its name in a file.
+// The folder of each volume is its number; a file in it has its name.
 class CountedFolders {
  public:
   explicit CountedFolders(std::string folder) : folder_(std::move(folder)) {}

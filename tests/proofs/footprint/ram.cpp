@@ -1,4 +1,4 @@
-// RAM: arrays of the sizes of the types in their names. The symbols of the object file show the
+// RAM: arrays with the sizes of the types in their names. The symbols of the object file show the
 // sizes.
 #include <discmc/byte_output.hpp>
 #include <discmc/decoder.hpp>

@@ -1,4 +1,4 @@
-// Flash: a receiver, with a sink that throws everything away.
+// Flash: a receiver, with a sink that discards all events.
 #include <discmc/receiver.hpp>
 
 using namespace discmc;

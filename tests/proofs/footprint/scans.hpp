@@ -7,11 +7,11 @@
 
 namespace discmc::test {
 
-inline size_t take_bytes(void*, const uint8_t*, size_t count) {
+inline size_t discard_bytes(void*, const uint8_t*, size_t count) {
   return count;
 }
 
-// ---- volumes of a sample for each x, y and z ----
+// ---- volumes with a sample for each x, y and z ----
 
 constexpr int32_t threshold = 192;
 
@@ -26,7 +26,7 @@ inline uint8_t inside_ball(int32_t x, int32_t y, int32_t z) {
   return static_cast<uint8_t>(255 - dot_product(v, v) / 26);
 }
 
-/// The rows of such a volume, one after the other.
+/// Returns the rows of such a volume one after the other.
 struct RowsOf {
   uint8_t (*sample)(int32_t x, int32_t y, int32_t z);
   Limits limits;
@@ -41,7 +41,7 @@ struct RowsOf {
   }
 };
 
-/// Counts the instructions of all calls of push(); a row a call.
+/// Counts the instructions of all calls of push(), one row per call.
 template <class Sample, class Scanner, class Rows>
 bool push_rows(Scanner& scanner, const Limits& limits, uint32_t slices, Rows rows) {
   constexpr uint32_t widest = 256;
@@ -56,7 +56,7 @@ bool push_rows(Scanner& scanner, const Limits& limits, uint32_t slices, Rows row
   return true;
 }
 
-/// Counts finish() too, then prints the sum.
+/// Also counts finish(), then prints the sum.
 template <class Sample, class Scanner, class Rows>
 bool push_and_finish(Scanner& scanner, const Limits& limits, uint32_t slices, Rows rows) {
   if (!push_rows<Sample>(scanner, limits, slices, rows)) return false;

@@ -1,4 +1,4 @@
-// Flash: a slice decoder, with a sink that throws everything away.
+// Flash: a slice decoder, with a sink that discards all events.
 #include <discmc/slice_decoder.hpp>
 
 using namespace discmc;

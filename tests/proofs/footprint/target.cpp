@@ -1,5 +1,5 @@
-// The counted work on a board of ports/boards/: its start-up and console serve, its UART and source
-// of rows have nothing to do.
+// Runs the counted work on a board of ports/boards/. It uses the board's start-up code and console;
+// UART and source of rows are empty.
 #include <port.hpp>
 
 #include "marks.hpp"
@@ -17,7 +17,7 @@ void source::start() {}
 void source::on_request() {}
 void source::on_interrupt() {}
 
-// The bodies differ, or they might be folded into one.
+// The bodies differ, so that the linker does not fold them into one.
 [[gnu::noinline]] void count_on() {
   __asm__ volatile("");
 }

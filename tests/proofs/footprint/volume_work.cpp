@@ -1,6 +1,5 @@
-// The work of every kind of stream of one volume, whose instructions are counted. The file
-// volume.raw has a FileHeader, then the samples, x fastest, the least significant byte first;
-// payloads.cpp writes it.
+// Encodes one volume as every kind of stream, and counts the instructions. The file volume.raw,
+// written by payloads.cpp, has a FileHeader and then the samples: x fastest, little-endian.
 #include <discmc/fraction_slice_encoder.hpp>
 #include <semihosting.hpp>
 
@@ -21,7 +20,7 @@ class RowsOfFile {
   RowsOfFile() : file_(semihosting::open_to_read("volume.raw")) {
     semihosting::read(file_, &header, sizeof header);
   }
-  // A row that is not there makes a stream of another length.
+  // A missing row would change the length of the stream.
   template <class Sample>
   void read(Sample* row) {
     semihosting::read(file_, row, header.width * sizeof *row);

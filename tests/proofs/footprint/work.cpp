@@ -1,5 +1,5 @@
-// The work whose instructions are counted, the same on every target and on the host. Its results
-// are printed, and must be the same everywhere.
+// The work whose instructions are counted. Its printed results must be equal on every target and on
+// the host.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
@@ -11,7 +11,7 @@
 using namespace discmc;
 using namespace discmc::test;
 
-// All of it fits the 16 KiB of a small microcontroller.
+// All objects fit the 16 KiB of a small microcontroller.
 constexpr Limits wide{256, 32};
 constexpr uint32_t wide_slices = 16;
 static uint8_t memory[11 * 1024];
@@ -20,10 +20,10 @@ static Extractor16 extractor;
 static Encoder encoder;
 static SliceEncoder slice_encoder;
 
-static SinkResult take_event(void*, const Event&) {
+static SinkResult discard_event(void*, const Event&) {
   return SinkResult::accepted;
 }
-constexpr Sink no_sink{nullptr, take_event};
+constexpr Sink no_sink{nullptr, discard_event};
 
 static void report(const char* name, uint64_t value) {
   board::report(name, static_cast<uint32_t>(value));
@@ -47,7 +47,7 @@ static bool scan(const Limits& limits, uint32_t slices,
 static bool print_slices(const Limits& limits, uint32_t slices,
                          uint8_t (*sample)(int32_t, int32_t, int32_t)) {
   return slice_encoder.start({limits, {threshold}, 0, 1, {slices}}, memory_of(memory),
-                             {nullptr, take_bytes}) == Status::ok &&
+                             {nullptr, discard_bytes}) == Status::ok &&
          push_and_report<uint8_t>(slice_encoder, limits, slices, sample);
 }
 
@@ -63,8 +63,8 @@ static OctahedralNormal octahedral(const LongVector& v) {
   return octahedral_normal(v);
 }
 
-// Counts the instructions of all normals between two slices of the ball; z is 0 for midpoints on
-// edges along x, and 1 for centroids.
+// Counts the instructions of all normals between two slices of the ball. z: 0 for midpoints on
+// edges along x, 1 for centroids.
 template <class Normal>
 static bool count_normals(Normal (*make)(const LongVector&), int32_t z) {
   SampleWindow<uint8_t> window;
@@ -89,12 +89,12 @@ static bool count_normals(Normal (*make)(const LongVector&), int32_t z) {
 }
 
 int main() {
-  // In this order instructions.awk reads the counts.
+  // instructions.awk reads the counts in this order.
   bool good = scan<uint8_t>(wide, wide_slices, outside, no_sink) &&
               scan<uint16_t>(wide, wide_slices, outside, no_sink) &&
               scan<uint8_t>(ball, ball.width, outside, no_sink) &&
               scan<uint8_t>(ball, ball.width, inside_ball, no_sink);
-  good = good && encoder.start({ball.width}, {nullptr, take_bytes}) == Status::ok &&
+  good = good && encoder.start({ball.width}, {nullptr, discard_bytes}) == Status::ok &&
          scan<uint8_t>(ball, ball.width, inside_ball, make_sink(encoder));
   good = good && print_slices(wide, wide_slices, outside) &&
          print_slices(ball, ball.width, inside_ball);

@@ -1,5 +1,5 @@
-// The scan whose instructions are counted: a ball with some 23 voxels for every active cell, as a
-// CT scan has. Prints the number of active cells.
+// The scan whose instructions are counted: a ball with 23 voxels per active cell, as in a CT scan.
+// Prints the number of active cells.
 //
 //   scan plain | host      samples by an Extractor, or rows of bits by a HostExtractor
 #include "host/host_extractor.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t extent = 96;
 
-SinkResult take_event(void*, const Event&) {
+SinkResult discard_event(void*, const Event&) {
   return SinkResult::accepted;
 }
 
@@ -50,7 +50,7 @@ uint64_t active_cells(const reference::BitVolume& volume) {
 
 }  // namespace
 
-// Instructions are counted while this is executed: the name must stay and nothing may be inlined.
+// Instructions are counted within this function, so it must not be renamed or inlined.
 extern "C" [[gnu::noinline]] bool counted_scan(bool (*scan)(const reference::BitVolume&),
                                                const reference::BitVolume& volume) {
   return scan(volume);
@@ -63,7 +63,8 @@ bool is_scanned(const reference::BitVolume& volume) {
   const Limits limits{extent, extent};
   static uint8_t memory[Extractor32::minimum_bytes(Limits{extent, extent}) + (size_t{4} << 20)];
   Scanner extractor;
-  return extractor.start(limits, 1, {memory, sizeof memory}, {nullptr, take_event}) == Status::ok &&
+  return extractor.start(limits, 1, {memory, sizeof memory}, {nullptr, discard_event}) ==
+             Status::ok &&
          is_pushed(extractor, volume) && extractor.finish() == Status::ok;
 }
 

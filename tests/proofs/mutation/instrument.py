@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from clang.cindex import CursorKind as Kind
 from clang.cindex import Diagnostic, Index, TranslationUnit
 
-# By operator: the helper in mutants.hpp, and what the operator becomes, a mutant each.
+# By operator: the helper in mutants.hpp, and one replacement per mutant.
 BINARY = {
     '<': ('less', '<=', '>='), '<=': ('less_equal', '<', '>'),
     '>': ('greater', '>=', '<='), '>=': ('greater_equal', '>', '<'),
@@ -30,29 +30,29 @@ UNARY = {
 FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.CONSTRUCTOR, Kind.DESTRUCTOR,
              Kind.FUNCTION_TEMPLATE, Kind.CONVERSION_FUNCTION}
 DECLARATIONS = {Kind.VAR_DECL, Kind.FIELD_DECL, Kind.PARM_DECL}
-# What is a constant of the program's text, or never evaluated.
+# Constants of the program's text, and code that is never evaluated.
 UNTOUCHED = {Kind.ENUM_DECL, Kind.STATIC_ASSERT, Kind.TEMPLATE_NON_TYPE_PARAMETER,
              Kind.TYPE_ALIAS_DECL, Kind.TYPEDEF_DECL, Kind.CXX_UNARY_EXPR, Kind.USING_DECLARATION}
-# Calls that do nothing without an address sanitizer (checks.hpp).
+# Calls without effect unless an address sanitizer is used (checks.hpp).
 CHECKS = ('poison(', 'unpoison(')
 
 
 @dataclass
 class Mutant:
     id: int
-    site: int  # the first mutant of the same operator: the program reports it as reached
+    site: int  # the first mutant of the same operator, which the program reports as reached
     file: str
     line: int
-    source: str  # the line without its comment, spaces as one
+    source: str  # the line without its comment, with single spaces
     change: str
-    constant: bool  # in a constexpr function: what is evaluated by the compiler is never mutated
+    constant: bool  # in a constexpr function: calls evaluated by the compiler are never mutated
 
     def key(self):
         return f'{self.file} | {self.source} | {self.change}'
 
 
 class Instrumenter:
-    """Of one file. `take_id` numbers the mutants; lines in `refused` get none."""
+    """The mutants of one file. `take_id` numbers them; lines in `refused` get none."""
 
     def __init__(self, path, flags, take_id, refused):
         self.file = path.name
@@ -60,7 +60,7 @@ class Instrumenter:
         self.take_id = take_id
         self.refused = refused
         self.mutants = []
-        self.edits = []  # (offset, order at the same offset, length taken out, text put in)
+        self.edits = []  # (offset, order at the same offset, length removed, text inserted)
         self.seen = set()
         unit = Index.create().parse(
             str(path), args=flags, options=TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
@@ -94,7 +94,7 @@ class Instrumenter:
         return number
 
     def number_twins(self):
-        """The same change twice in a line is told apart by a number."""
+        """Equal changes of one line are numbered."""
         count = Counter()
         for mutant in self.mutants:
             key = mutant.key()
@@ -107,8 +107,8 @@ class Instrumenter:
                        for begin, last in self.macros)
         return not in_macro and self.text.count('\n', 0, start) + 1 not in self.refused
 
-    # An outer expression is visited before its parts. So its text comes first where both begin, and
-    # last where both end. At one place, ends come before beginnings.
+    # An outer expression is visited before its parts. So its text comes first where both begin, and last where both
+    # end. At one offset, ends precede beginnings.
     def before(self, offset, text):
         self.edits.append((offset, (1, len(self.edits)), 0, text))
 
@@ -147,7 +147,7 @@ class Instrumenter:
             self.boolean(cursor, constant)
         for i, child in enumerate(children):
             if i == 0 and (cursor.kind == Kind.CASE_STMT or self.is_constexpr_if(cursor)):
-                continue  # the compiler's
+                continue  # declarations of the compiler
             if cursor.kind in DECLARATIONS and self.last_before(child) in '[:':
                 continue  # the size of an array, the width of a bit field
             self.visit(child, constant)
@@ -157,7 +157,7 @@ class Instrumenter:
         return cursor.kind == Kind.IF_STMT and re.match(r'if\s+constexpr', begun) is not None
 
     def is_constant_variable(self, cursor):
-        if cursor.kind == Kind.UNEXPOSED_DECL:  # a template of a variable is one
+        if cursor.kind == Kind.UNEXPOSED_DECL:  # a template of a variable is a declaration of a variable
             head = self.text[cursor.extent.start.offset:].partition('=')[0]
             return 'constexpr' in head.split() and '{' not in head
         if cursor.kind != Kind.VAR_DECL:
@@ -173,7 +173,7 @@ class Instrumenter:
         return self.text[:cursor.extent.start.offset].rstrip()[-1:]
 
     def is_new(self, cursor, what):
-        """An explicit instantiation shows the same text again."""
+        """An explicit instantiation has the same text again."""
         extent = (cursor.extent.start.offset, cursor.extent.end.offset)
         if (what, extent) in self.seen or not self.may_edit(*extent):
             return False
@@ -183,7 +183,7 @@ class Instrumenter:
     # ---- statements and conditions ----
 
     def statements(self, cursor, children, constant):
-        """A statement that is an expression is left out."""
+        """Omits a statement that consists of an expression."""
         bodies = {Kind.COMPOUND_STMT: children, Kind.IF_STMT: children[1:],
                   Kind.FOR_STMT: children[-1:], Kind.WHILE_STMT: children[-1:],
                   Kind.CXX_FOR_RANGE_STMT: children[-1:], Kind.DO_STMT: children[:1],
@@ -230,7 +230,7 @@ class Instrumenter:
         if not found or not self.is_new(cursor, 'operator'):
             return
         operator = found.group(1)
-        if operator in ('&&', '||'):  # one side or the other is ignored
+        if operator in ('&&', '||'):  # either side is ignored
             neutral = 'true' if operator == '&&' else 'false'
             self.forced(left, (neutral,), constant)
             self.forced(right, (neutral,), constant)

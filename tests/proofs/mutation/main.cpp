@@ -1,9 +1,7 @@
-// The unit tests with every mutant of the library in them. The environment selects the active one
-// (MUTANT=17), and the file for the time and the numbers of the evaluated mutants
-// (MUTANTS_REACHED=file).
+// The unit tests with every mutant of the library. Environment: MUTANT=17 activates a mutant;
+// MUTANTS_REACHED=file names the file for the time and the numbers of the evaluated mutants.
 #define DOCTEST_CONFIG_IMPLEMENT
-// A mutant that crashes is to die at once: doctest's handler may wait for ever for a lock of
-// malloc.
+// A crash must end the process at once. doctest's handler could wait forever for a lock of malloc.
 #define DOCTEST_CONFIG_NO_POSIX_SIGNALS
 #include <doctest/doctest.h>
 #include <stdio.h>
@@ -12,7 +10,7 @@
 
 namespace {
 
-// Before anything else runs, as tests have constants that call the library.
+// Runs before all else, because constants of tests call the library.
 __attribute__((constructor(101))) void choose_mutant() {
   if (const char* mutant = getenv("MUTANT"))
     mutation::active = static_cast<unsigned>(strtoul(mutant, nullptr, 10));

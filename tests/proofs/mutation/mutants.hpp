@@ -1,5 +1,5 @@
-// What instrument.py makes of the library's operators: as they were, but for the mutant that is
-// active.
+// The replacements of the library's operators by instrument.py: unchanged, except for the active
+// mutant.
 #ifndef MUTANTS_HPP
 #define MUTANTS_HPP
 
@@ -9,8 +9,8 @@ constexpr unsigned most = 1 << 16;
 inline unsigned active = 0;            // from the environment, by main.cpp
 inline unsigned char reached[most]{};  // by mutant: whether it was evaluated
 
-/// Returns 0 if the code at hand runs unchanged, or n if the n-th of its mutants is active. The
-/// argument is the number of the first. Compile-time evaluation is never mutated.
+/// Returns n if the n-th mutant of the operator is active, or 0. The argument is the number of its
+/// first mutant. Compile-time evaluation is never mutated.
 [[gnu::always_inline]] constexpr unsigned chosen(unsigned first) {
   if (__builtin_is_constant_evaluated()) return 0;
   reached[first] = 1;
@@ -66,7 +66,7 @@ MUTATION_COMPARISON(greater, >, >=, <=)
 MUTATION_COMPARISON(greater_equal, >=, >, <)
 #undef MUTATION_COMPARISON
 
-// Without the opposite operator, as not every type has it.
+// Without the opposite operator, because not every type has one.
 template <class A, class B>
 [[gnu::always_inline]] constexpr bool equal(unsigned id, const A& a, const B& b) {
   return is_active(id) != (a == b);

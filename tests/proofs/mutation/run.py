@@ -26,14 +26,14 @@ BUILD = ROOT / 'build' / 'mutation'
 PROGRAM = BUILD / 'mutants'
 RESULTS = BUILD / 'results.tsv'
 SURVIVORS = Path(__file__).with_name('survivors.txt')
-BATCH = 0.05  # s of test cases that run in one process
+BATCH = 0.05  # seconds of test cases per process
 MEMORY = 2 << 30  # bytes that a mutant may take
 
 
 # ---- the program that holds the mutants ----
 
 def write_copy(refused):
-    """The code with its mutants, in the build folder; a file that is as it was is left alone."""
+    """Writes the mutated code to the build folder. Unchanged files are not touched."""
     numbers = itertools.count(1)
     mutants, targets = [], set()
     for path in sorted(path for folder in MUTATED for path in (ROOT / folder).rglob('*.*')):
@@ -56,7 +56,7 @@ def write_copy(refused):
 
 
 def build():
-    """The mutants, and how many lines have none, as the compiler refuses what was made of them."""
+    """Returns the mutants, and the number of lines without any, because their mutants do not compile."""
     refused = defaultdict(set)
     while True:
         mutants = write_copy(refused)
@@ -86,13 +86,13 @@ class Case:
 
 
 def outcome(cases, seconds, **environment):
-    """The exit code of one process with these cases."""
+    """Returns the exit code of a process that runs these cases."""
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        signal.setitimer(signal.ITIMER_PROF, seconds)  # of the processor's time
+        signal.setitimer(signal.ITIMER_PROF, seconds)  # of processor time
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
-    names = ','.join(case.name.replace(',', '?') for case in cases)  # a comma divides filters
+    names = ','.join(case.name.replace(',', '?') for case in cases)  # a comma separates filters
     return subprocess.run([PROGRAM, '--abort-after=1', f'--test-case={names}'],
                           env={**os.environ, **environment}, preexec_fn=limit,
                           stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
@@ -100,7 +100,7 @@ def outcome(cases, seconds, **environment):
 
 
 def measure(case, slowest):
-    """How long the case takes, and what it reaches. None when it is too slow to be asked."""
+    """Returns the time of the case and the mutants that it reaches; None if it is too slow."""
     file = BUILD / f'reached.{id(case)}'
     code = outcome([case], slowest, MUTANTS_REACHED=str(file))
     if code == -signal.SIGPROF:
@@ -128,7 +128,7 @@ def measured_cases(slowest):
 # ---- a mutant ----
 
 def batches(cases):
-    """In their order, and many of them in one process: but a mutant may make the first hang."""
+    """Tries mutants in order, many per process. If one hangs, the rest run in another process."""
     batch = []
     for case in cases:
         if batch and sum(each.seconds for each in batch + [case]) > BATCH:
@@ -139,7 +139,7 @@ def batches(cases):
 
 
 def verdict(mutant, orders):
-    """killed, survived, unreached, or constant: evaluated by the compiler alone."""
+    """Returns killed, survived, unreached, or constant: evaluated only by the compiler."""
     cases = orders[mutant.file]
     asked = [case for case in cases if mutant.site in case.sites]
     if not asked:
@@ -153,7 +153,7 @@ def verdict(mutant, orders):
 
 
 def known_results():
-    """Of runs before, by what the mutants are, as numbers change."""
+    """Results of earlier runs, by the text of the mutant, because numbers change."""
     if not RESULTS.exists():
         return {}
     lines = (line.split('\t') for line in RESULTS.read_text().splitlines())
@@ -163,10 +163,10 @@ def known_results():
 def run(mutants, cases, resume):
     known = known_results() if resume else {}
     results = {mutant.key(): 'killed' for mutant in mutants if known.get(mutant.key()) == 'killed'}
-    # Survivors take the longest: so they are asked again last.
+    # Survivors take longest, so they are tried again last.
     left = sorted((mutant for mutant in mutants if mutant.key() not in results),
                   key=lambda mutant: mutant.key() in known)
-    orders = defaultdict(lambda: cases)  # by file: the order in which cases are asked
+    orders = defaultdict(lambda: cases)  # by file: the order in which cases are tried
     begin = shown = time.monotonic()
     with open(RESULTS, 'a' if resume else 'w') as file, \
             futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -187,7 +187,7 @@ def run(mutants, cases, resume):
 # ---- the report ----
 
 def recorded():
-    """The number of survivors by file: survivors.txt has a line per file, which names the reasons."""
+    """Returns the number of survivors by file, from survivors.txt, which also has the reasons."""
     lines = (line.split(maxsplit=2) for line in SURVIVORS.read_text().splitlines())
     counts = {}
     for file, count, reasons in (line for line in lines if line and not line[0].startswith('#')):
@@ -202,7 +202,7 @@ def share(part, whole):
 
 
 def report(mutants, results):
-    """The table."""
+    """Returns the table of results."""
     rows = defaultdict(lambda: defaultdict(int))
     for mutant in mutants:
         for row in (mutant.file, 'all'):
@@ -217,7 +217,7 @@ def report(mutants, results):
 
 
 def agrees(mutants, results, is_sample, all_files):
-    """Prints the survivors, and each file that has more of them than recorded, or fewer."""
+    """Prints the survivors, and each file whose number of survivors differs from the record."""
     found = defaultdict(int)
     for mutant in mutants:
         if results[mutant.key()] in ('survived', 'unreached'):

@@ -1,10 +1,9 @@
-# The microcontrollers that the library is proved and measured for; read by scripts with `source`.
+# The microcontrollers for which the library is proved and measured. Scripts `source` this file.
 
 targets=(cortex-m0plus cortex-m3 cortex-m4 cortex-m7 cortex-m33 rv32imac rv64imac)
 
-# use_target NAME: sets `tool`, what the names of its tools begin with, and `machine`, the options
-# that make the compiler work for it. GCC's RISC-V libraries are found by these options and no
-# others: with -march=rv32imac_zicsr the link would take those of another machine.
+# use_target NAME: sets `tool`, the prefix of its tools, and `machine`, the compiler options. These options also select
+# GCC's RISC-V libraries: -march=rv32imac_zicsr would link those of another machine.
 use_target() {
   case $1 in
     cortex-m*) tool=arm-none-eabi- machine=(-mcpu="$1" -mthumb -mfloat-abi=soft) ;;

@@ -1,5 +1,5 @@
-// The library's output for a fixed set of volumes, in a few numbers: events, bytes of the streams,
-// and decoded events. They must be the same on every machine (golden.txt).
+// Hashes the library's output for a fixed set of volumes: events, bytes of the streams, and decoded
+// events. Every machine must print the same numbers (golden.txt).
 //
 // It runs in 16 KiB of RAM without a C library: see scripts/check/portability.
 #include <board.hpp>
@@ -14,9 +14,9 @@ using namespace discmc;
 
 namespace {
 
-// ---- volumes: values from 0 to 255, on from `threshold` on ----
+// ---- volumes: values from 0 to 255; on means at least `threshold` ----
 
-constexpr uint32_t width = 33, height = 6, depth = 4;  // the rows of bits take two words
+constexpr uint32_t width = 33, height = 6, depth = 4;  // a row of bits has two words
 constexpr int32_t threshold = 128;
 
 struct Voxel {
@@ -29,7 +29,7 @@ int32_t ball(Voxel v) {
   return dot_product(from_centre, from_centre) <= 49 ? 200 : 20;
 }
 
-// Blocks, and a corner cut off at a slant.
+// Blocks, one of them with a slanted corner.
 int32_t bricks(Voxel v) {
   return (v.x / 9 + v.y / 4 + v.z / 5) % 2 == 0 && v.x + v.y + v.z > 7 ? 255 : 0;
 }
@@ -42,7 +42,7 @@ int32_t columns(Voxel v) {
   return (v.x + v.y) % 2 == 0 ? 255 : 0;
 }
 
-// A repetition of one cell, among those with the most links.
+// Repeats one cell, one of those with the most links.
 int32_t tiling(Voxel v) {
   return (61 >> (v.x % 2 + 2 * (v.y % 2) + 4 * (v.z % 2)) & 1) != 0 ? 129 : 1;
 }
@@ -55,7 +55,7 @@ int32_t noise(Voxel v) {
 
 constexpr Volume volumes[] = {ball, bricks, checkerboard, columns, tiling, noise};
 
-// The same value in each type of sample.
+// The same values as each type of sample.
 template <class Sample>
 constexpr Sample sample_of(int32_t value) {
   return static_cast<Sample>(value * 256);
@@ -69,9 +69,9 @@ constexpr int16_t sample_of(int32_t value) {
   return static_cast<int16_t>((value - 128) * 256);
 }
 
-// ---- what comes out ----
+// ---- hashes ----
 
-// FNV-1a, 64 bits, of bytes and of words in little-endian order.
+// FNV-1a, 64 bits, over bytes, and over words in little-endian order.
 class Hash {
  public:
   void add(uint8_t byte) { value_ = (value_ ^ byte) * 0x100000001B3; }
@@ -87,7 +87,7 @@ class Hash {
 Hash golden;
 uint32_t scans, events, fragments;
 
-// A sink that hashes the members that an event's kind names.
+// A sink that hashes the members of each kind of event.
 class EventHash {
  public:
   SinkResult accept(const Event& event) {
@@ -127,7 +127,7 @@ class EventHash {
         add(event.is_abandoned);
         for (const auto total : detail::wire::trailer_totals) add(event.statistics->*total);
         break;
-      case Event::Kind::start:  // an extractor has less of the header than a decoder
+      case Event::Kind::start:  // an extractor sends fewer members of the header than a decoder
         return SinkResult::accepted;
       case Event::Kind::region_end:
       case Event::Kind::fragment_end:
@@ -149,8 +149,7 @@ class EventHash {
   uint32_t events_ = 0;
 };
 
-// A line to a decoder that is busy every third time. What goes over it is hashed, and so are the
-// events that it makes.
+// A line to a decoder that is busy every third time. Hashes its bytes, and the decoded events.
 template <class Decoding>
 class BusyLine {
  public:
@@ -161,7 +160,7 @@ class BusyLine {
   ByteOutput output() { return {this, write}; }
   Decoding& decoder() { return decoder_; }
   Sink sink() { return make_sink(received_); }
-  /// Whether all that was sent has arrived, and has made these events.
+  /// Whether all bytes have arrived, and decode to these events.
   bool finish(uint64_t expected) {
     return decoder_.finish() == Status::ok && good_ && decoder_.report().is_complete() &&
            received_.value() == expected;
@@ -185,7 +184,7 @@ class BusyLine {
   bool good_ = false;
 };
 
-// Where an extractor's events go: to a hash, and through an encoder and a decoder to another.
+// The sink of an extractor: hashes its events, and the events after an encoder and a decoder.
 class Wire {
  public:
   bool start(const StreamHeader& header) {
@@ -211,7 +210,7 @@ class Wire {
 
 // ---- scans ----
 
-// The least memory; memory for a part, which makes loose fragments; and for most of the scan.
+// Memory sizes: the minimum; enough for a part, so some fragments are loose; enough for most scans.
 constexpr Capacities rooms[] = {minimum_capacities(), {100, 4}, {200, 0}, {400, 30}};
 constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Border::open}};
 
@@ -229,7 +228,7 @@ class Scan {
                                     make_sink(wire_between)));
   }
 
-  // A row in one of the ways in which rows come.
+  // Pushes a row in one of the possible ways.
   bool push_row(Volume volume, int32_t y, int32_t z) {
     const auto value = [&](uint32_t x) { return volume({static_cast<int32_t>(x), y, z}); };
     switch (y % 4) {
@@ -289,14 +288,14 @@ class Scan {
   AnyExtractor extractor_;
 };
 
-// Scans a volume. The events are `expected`, where that is not 0 as before the first scan.
-// By itself, as all scans in one function take more stack than the smallest board has.
+// Scans a volume. Fails if the hash of the events is not `expected`, unless that is 0. Not inlined,
+// because all scans in one function need more stack than the smallest board has.
 template <class AnyExtractor, class Sample, bool has_normals = false>
 [[gnu::noinline]] bool scan(Volume volume, const Limits& limits, const Capacities& capacities,
                             uint64_t& expected) {
   static Scan<AnyExtractor, Sample, has_normals> scan;
   if (!scan.start(limits, capacities)) return false;
-  // Scans of an open volume are broken off in the middle of the last slice.
+  // Scans of an open volume are abandoned in the middle of the last slice.
   const bool abandons = limits.border == Border::open;
   const uint32_t rows = height * depth - (abandons ? height / 2 : 0);
   for (uint32_t i = 0; i < rows; ++i)
@@ -310,7 +309,7 @@ template <class AnyExtractor, class Sample, bool has_normals = false>
   return wire_between.sent().value() == expected;
 }
 
-// With normals, which depend on the samples: so these scans stand alone.
+// Scans with normals. They depend on the samples, so these scans are not compared with others.
 template <class Index, class Sample>
 bool scan_with_normals(Volume volume, const Limits& limits) {
   uint64_t hash = 0;
@@ -319,13 +318,13 @@ bool scan_with_normals(Volume volume, const Limits& limits) {
 
 // ---- slices ----
 
-// Makes an object in memory that is there; a bare machine may have no header for it.
+// Constructs an object in given memory. A freestanding system may lack the header <new>.
 template <class Object>
 struct InPlace : Object {
   static void* operator new(size_t, void* place) { return place; }
 };
 
-// A slice encoder whose bytes make the surface again.
+// A slice encoder, and a decoder that extracts the surface.
 class SlicesBetween {
  public:
   bool start(const Limits& limits, Memory arena) {
@@ -343,7 +342,7 @@ class SlicesBetween {
   uint8_t rows_[SliceEncoder::minimum_bytes({sizes[0], {}, 2})];
 };
 
-// Pushes a volume to an extractor or a slice encoder, one of its rows skipped, and ends the scan.
+// Pushes a volume to an extractor or a slice encoder, with one row skipped, and ends the scan.
 template <class Scanner>
 bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
   const auto is_done = [&](Status status) {
@@ -357,7 +356,7 @@ bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
       row[x] =
           static_cast<uint8_t>(volume({static_cast<int32_t>(x), static_cast<int32_t>(i % height),
                                        static_cast<int32_t>(i / height)}));
-    for (uint32_t told = 0; told == 0;) {  // a busy line may not take the header yet
+    for (uint32_t told = 0; told == 0;) {  // a busy line may refuse the header first
       const PushResult result =
           i == height + 3 ? scanner.skip_row(Substitute::previous_row) : scanner.push(row, width);
       if (!is_done(result.status)) return false;
@@ -367,8 +366,8 @@ bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
   return is_done(abandons ? scanner.abandon() : scanner.finish());
 }
 
-// The surface that is made of slices is that of an extractor with as much memory. The objects lie
-// in that of the other scans, as the smallest board has no more.
+// Compares the surface from slices with that of an extractor with the same memory. The objects lie
+// in the memory of the other scans, because the smallest board has no more.
 [[gnu::noinline]] bool scan_slices(Volume volume, const Limits& limits) {
   constexpr size_t of_rows = size_t{SliceDecoder::minimum_bytes(sizes[0])};
   constexpr size_t of_sweep = size_t{Extractor32::minimum_bytes(sizes[0])} + 900;
@@ -394,7 +393,7 @@ bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
 
 // ---- fractions ----
 
-// The bytes of a stream with fractions, in the memory of the other scans.
+// The stream with fractions, in the memory of the other scans.
 struct Stored {
   uint8_t bytes[1600];
   size_t count;
@@ -411,7 +410,7 @@ struct Stored {
   }
 };
 
-// Hashes what a row event contains.
+// Hashes the contents of a row event.
 SinkResult hash_row(void*, const RowEvent& event) {
   golden.add_word(static_cast<uint64_t>(event.kind));
   if (event.kind == RowEvent::Kind::row)
@@ -447,7 +446,7 @@ template <uint8_t levels>
   return true;
 }
 
-// Every volume in every memory, in turn with either border.
+// Scans every volume in every memory, with alternating borders.
 bool scan_all() {
   uint32_t turn = 0;
   for (const Volume volume : volumes) {

@@ -1,5 +1,5 @@
-# The platforms on which golden.cpp must print the same; scripts read it with `source`. A platform is a
-# compiler and a machine.
+# The platforms on which golden.cpp must print the same numbers. Scripts `source` this file. A platform is a compiler
+# and a machine.
 
 source "$(dirname "${BASH_SOURCE[0]}")/../../../scripts/tools/clang.sh"
 
@@ -10,10 +10,10 @@ done
 for machine in aarch64 mips s390x cortex-m0plus cortex-m4 cortex-m33 rv32imac rv64imac; do
   platforms+=("gcc $machine")
 done
-# Nothing that is particular to these compilers: see lib/discmc/base/compiler.hpp.
+# Disables all compiler-specific code: see lib/discmc/base/compiler.hpp.
 platforms+=('gcc portable' "clang-$newest_clang portable")
 
-# What a machine is beyond its name.
+# Properties of a machine besides its name.
 declare -A remark=(
   [x86-32]='32 bits' [portable]='DISCMC_FORCE_PORTABLE' [aarch64]='qemu-user'
   [mips]='qemu-user, 32 bits, big-endian' [s390x]='qemu-user, 64 bits, big-endian'
@@ -21,12 +21,11 @@ declare -A remark=(
   [cortex-m4]='firmware, mps2-an386' [cortex-m33]='firmware, mps2-an505'
   [rv32imac]='firmware, virt' [rv64imac]='firmware, virt')
 
-# Both signs of char at -O2 alone.
+# Both signs of char, with -O2 only.
 option_sets=(-O0 '-O2 -fsigned-char' '-O2 -funsigned-char' -O3 -Os)
 
-# use_platform COMPILER MACHINE: sets `compile`, the compiler with the options of the machine, and
-# `emulator`, which runs its programs. For firmware it also sets `board`, a folder of ports/boards/, and
-# the bounds of its memories.
+# use_platform COMPILER MACHINE: sets `compile`, the compiler with the options of the machine, and `emulator`, which
+# runs its programs. For firmware it also sets `board`, a folder of ports/boards/, and the sizes of its memories.
 use_platform() {
   local family=$1
   compile=() emulator=() board=
@@ -44,11 +43,11 @@ use_platform() {
       emulator=("qemu-$2")
       ;;
     *)
-      use_target "$2" # of tests/proofs/object_code
+      use_target "$2" # from tests/proofs/object_code
       compile=("${tool}g++" "${machine[@]}")
       ;;
   esac
-  # All the memory that QEMU gives a board: code that is not optimised need not fit less.
+  # All memory that QEMU gives a board, because unoptimised code is larger.
   case $2 in
     cortex-m0plus) board=cortex_m/microbit flash=0+256K ram=0x20000000+16K ;;
     cortex-m4) board=cortex_m/mps2_an386 flash=0+4M ram=0x20000000+4M ;;

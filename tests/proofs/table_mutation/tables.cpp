@@ -1,8 +1,8 @@
 // Changes every byte of every derived table to every other value, one at a time. The statements
-// about the tables (oracle/*_statements.hpp, which properties/tables_test.cpp asserts) must detect
-// it. Exceptions are listed below, with the reason. Prints a line per field and per statement. The
-// exit code is 1 for a survivor. Under an address sanitizer one value
-// in 37.
+// about the tables (oracle/*_statements.hpp, asserted by properties/tables_test.cpp) must detect
+// each change. Exceptions are listed below, with their reasons. Prints a line per field and per
+// statement; the exit code is 1 if a change survives. An address sanitizer reduces the values to
+// one in 37.
 #include <cinttypes>
 #include <cstddef>
 #include <cstdio>
@@ -24,7 +24,7 @@ struct Field {
   const char* name;
   size_t offset;
   size_t bytes;
-  /// Why a change of the byte (counted from the field's first) means nothing, or nullptr.
+  /// Returns the reason why a change of a byte of the field has no effect, or nullptr.
   const char* (*equivalent)(size_t byte);
 };
 
@@ -32,7 +32,7 @@ const char* never(size_t) {
   return nullptr;
 }
 
-// ---- the equivalent mutants, all there are ----
+// ---- all equivalent mutants ----
 
 const char* beyond_directions(size_t byte) {
   constexpr size_t places = max_directions / 2;
@@ -68,7 +68,7 @@ constexpr Field sector_fields[] = {
     DISCMC_FIELD(SectorTable, face_way, never), DISCMC_FIELD(SectorTable, edges, never),
     DISCMC_FIELD(SectorTable, part, never)};
 
-constexpr Field model_fields[] = {DISCMC_FIELD(ModelTable, shares, never)};
+constexpr Field model_fields[] = {DISCMC_FIELD(ModelTable, frequencies, never)};
 #undef DISCMC_FIELD
 
 struct Tally {

@@ -11,7 +11,7 @@ namespace {
 
 using shapes::Below;
 
-// Enough for nearly all volumes: fragments, and a host's queues that grow. Limit: 64 MiB.
+// Enough for fragments, and for a host's queues to grow, in nearly all volumes. Limit: 64 MiB.
 Capacities much(const Limits& limits, uint32_t slices) {
   constexpr uint32_t slots_per_voxel = 64, most = 1U << 22;
   const uint32_t voxels = limits.width * limits.height * (slices + 2);
@@ -19,7 +19,7 @@ Capacities much(const Limits& limits, uint32_t slices) {
   return {slots, slots};
 }
 
-// Six sizes, from the least to much.
+// Six sizes, from the minimum to ample.
 Capacities draw_memory(uint32_t memory, const Capacities& most, const Below& below) {
   constexpr uint32_t least = minimum_capacities().slots;
   switch (memory) {
@@ -43,7 +43,7 @@ Capacities within_narrow(const Capacities& capacities) {
           std::min(capacities.holes, reference::ample.holes)};
 }
 
-// Near where a coordinate, a corner's place or a count takes one bit more.
+// Offsets near which a coordinate, the place of a corner or a count needs one bit more.
 uint32_t draw_slices_below(uint32_t depth, const Below& below) {
   const uint32_t near = below(2 * std::min(depth, 20U) + 2);
   switch (below(8)) {
@@ -60,13 +60,15 @@ uint32_t draw_slices_below(uint32_t depth, const Below& below) {
   }
 }
 
-// One kind of extractor for all slabs, or any for each: hosts most often, which have the most code.
+// One kind of extractor for all slabs, or any kind for each. Hosts are most frequent, because they
+// have the most code.
 Scanner draw_scanner(uint32_t choice, const Below& below) {
   constexpr Scanner of_all[] = {Scanner::narrow, Scanner::wide, Scanner::host, Scanner::host};
   return choice < 4 ? of_all[choice] : static_cast<Scanner>(below(3));
 }
 
-// The ends of slabs, ascending. thickness(rest) is the number of slices of the next slab.
+// Returns the ends of slabs, ascending. thickness(rest) returns the number of slices of the next
+// slab.
 template <class Thickness>
 std::vector<uint32_t> ends_of(const PlacedVolume& volume, Thickness thickness) {
   constexpr uint32_t max_slabs = 40;
@@ -80,7 +82,7 @@ std::vector<uint32_t> ends_of(const PlacedVolume& volume, Thickness thickness) {
 }
 
 std::vector<uint32_t> draw_ends(const PlacedVolume& volume, const Below& below) {
-  const uint32_t fixed = below(6);  // 0: any thickness
+  const uint32_t fixed = below(6);  // 0: any
   return ends_of(volume, [&](uint32_t rest) {
     return fixed == 0 ? 1 + below(12) : fixed == 5 ? 1 + rest / 2 : fixed;
   });
@@ -133,7 +135,7 @@ Arrangement in_much_memory(const PlacedVolume& volume, Scanner scanner, uint32_t
 
 Arrangement draw_arrangement(const PlacedVolume& volume, const Below& below) {
   const uint32_t scanners = below(7);
-  const uint32_t memories = below(10);  // 6 and 7: much, too; 8 and 9: mixed
+  const uint32_t memories = below(10);  // 6 and 7: ample, too; 8 and 9: mixed
   const uint32_t refusals = below(3) == 0 ? below(200) : 0;
   const uint32_t checkpoints = below(4) == 0 ? 1 + below(3) : 0;
   const uint32_t chunk = below(2) == 0 ? 0 : 1 + below(256);
@@ -148,7 +150,7 @@ Arrangement draw_arrangement(const PlacedVolume& volume, const Below& below) {
         {first, end, scanner, memory, refusals, checkpoints, chunk, below(256)});
     first = end;
   }
-  // Joiners take slabs in any order.
+  // Joiners receive slabs in any order.
   for (size_t i = arrangement.slabs.size(); i > 1 && scanners % 2 == 1; --i)
     std::swap(arrangement.slabs[i - 1], arrangement.slabs[below(static_cast<uint32_t>(i))]);
   describe(arrangement);

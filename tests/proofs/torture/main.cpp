@@ -1,4 +1,4 @@
-// Scans generated volumes in many ways, which must give one surface. See usage.
+// Scans generated volumes in many ways, which must all give one surface. See usage.
 #include <sys/mman.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -74,8 +74,8 @@ Options options_of(int count, char** arguments) {
   return options;
 }
 
-// Where a process is; its parent reads it when the process has ended.
-struct Place {
+// The progress of a process. Its parent reads it when the process has ended.
+struct Progress {
   uint64_t seed;
   uint64_t cases;
   uint64_t scans;
@@ -85,11 +85,11 @@ struct Place {
   void note(const std::string& what) { std::snprintf(text, sizeof text, "%s", what.c_str()); }
 };
 
-Surface surface_of(const PlacedVolume& volume, const Arrangement& arrangement, Place& place) {
+Surface surface_of(const PlacedVolume& volume, const Arrangement& arrangement, Progress& progress) {
   std::vector<Pieces> slabs;
   for (const SlabPlan& plan : arrangement.slabs) {
     slabs.push_back(scanned(volume, plan));
-    ++place.scans;
+    ++progress.scans;
   }
   const SlabPlan& first = arrangement.slabs.front();
   const bool is_whole = slabs.size() == 1 && first.seed % 2 == 0;
@@ -97,7 +97,7 @@ Surface surface_of(const PlacedVolume& volume, const Arrangement& arrangement, P
                 {first.refusals, first.seed});
 }
 
-// What the reference finds wrong with the scan of a small volume, or nothing.
+// Compares the scan of a small volume with the reference. Returns the fault, or an empty text.
 std::string unlike_reference(const PlacedVolume& volume) {
   const reference::BitVolume voxels = reference::volume_of(volume.size, volume.on);
   const bool is_closed = volume.border == Border::closed;
@@ -108,13 +108,14 @@ std::string unlike_reference(const PlacedVolume& volume) {
                         : unlike;
 }
 
-// An endless loop ends with a signal.
+// A signal ends an endless loop.
 void limit_processor_time() {
   const itimerval five_minutes{{0, 0}, {300, 0}};
   setitimer(ITIMER_PROF, &five_minutes, nullptr);
 }
 
-// A host whole and in thin slabs, whose queues then grow most; then any.
+// First a host for the whole volume and for thin slabs, whose queues grow most; then any
+// extractors.
 std::vector<Arrangement> draw_arrangements(const PlacedVolume& volume, const shapes::Below& below) {
   constexpr size_t count = 6;
   std::vector<Arrangement> all{in_much_memory(volume, Scanner::host, volume.size.depth),
@@ -123,23 +124,23 @@ std::vector<Arrangement> draw_arrangements(const PlacedVolume& volume, const sha
   return all;
 }
 
-// Returns the fault, or an empty text; place.text has the last scan.
-std::string fault_of(Place& place) {
-  test::Chance chance(place.seed);
+// Returns the fault, or an empty text; progress.text describes the last scan.
+std::string fault_of(Progress& progress) {
+  test::Chance chance(progress.seed);
   const shapes::Below below = [&](uint32_t limit) { return chance.below(limit); };
-  place.note("");
+  progress.note("");
   const DrawnVolume subject = draw_volume(below);
   const PlacedVolume& volume = subject.volume;
-  place.note(subject.text + ", reference");
+  progress.note(subject.text + ", reference");
   if (subject.is_small) {
     const std::string unlike = unlike_reference(volume);
     if (!unlike.empty()) return unlike;
   }
   Surface expected =
-      surface_of(volume, in_much_memory(volume, Scanner::wide, volume.size.depth), place);
+      surface_of(volume, in_much_memory(volume, Scanner::wide, volume.size.depth), progress);
   for (const Arrangement& arrangement : draw_arrangements(volume, below)) {
-    place.note(subject.text + ": " + arrangement.text);
-    Surface surface = surface_of(volume, arrangement, place);
+    progress.note(subject.text + ": " + arrangement.text);
+    Surface surface = surface_of(volume, arrangement, progress);
     const std::string difference = surface.difference(expected, arrangement.slabs.size() - 1);
     if (!difference.empty()) return difference;
   }
@@ -152,23 +153,23 @@ class Torture {
       : options_(options),
         program_(program),
         end_(Clock::now() + std::chrono::seconds(options.seconds)) {
-    void* const shared = mmap(nullptr, options.jobs * sizeof(Place), PROT_READ | PROT_WRITE,
+    void* const shared = mmap(nullptr, options.jobs * sizeof(Progress), PROT_READ | PROT_WRITE,
                               MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) fail("no memory");
-    places_ = static_cast<Place*>(shared);
+    progress_ = static_cast<Progress*>(shared);
   }
 
   int run() {
     std::printf("torture: cases from seed %" PRIu64 " on\n", options_.seed);
     std::fflush(stdout);
     for (uint64_t job = 0; job < options_.jobs; ++job) {
-      places_[job].seed = options_.seed + job;
+      progress_[job].seed = options_.seed + job;
       begin(job);
     }
     int status = 0;
     for (pid_t child; (child = wait(&status)) > 0;)
       for (uint64_t job = 0; job < options_.jobs; ++job)
-        if (children_[job] == child) take_end(job, status);
+        if (children_[job] == child) process_end(job, status);
     print();
     return findings_ == 0 ? 0 : 1;
   }
@@ -176,23 +177,23 @@ class Torture {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool is_over(const Place& place) const {
+  bool is_over(const Progress& progress) const {
     return options_.seconds > 0 ? Clock::now() >= end_
-                                : place.seed >= options_.seed + options_.cases;
+                                : progress.seed >= options_.seed + options_.cases;
   }
 
   void begin(uint64_t job) {
     children_[job] = fork();
     if (children_[job] < 0) fail("cannot fork");
-    if (children_[job] == 0) _exit(work(places_[job]));
+    if (children_[job] == 0) _exit(work(progress_[job]));
   }
 
-  // In a process of its own: if it dies, its parent has the place.
-  int work(Place& place) {
-    for (; !is_over(place); place.seed += options_.jobs, ++place.cases) {
+  // Runs in a process of its own. If it crashes, the parent still has `progress`.
+  int work(Progress& progress) {
+    for (; !is_over(progress); progress.seed += options_.jobs, ++progress.cases) {
       try {
         limit_processor_time();
-        const std::string fault = fault_of(place);
+        const std::string fault = fault_of(progress);
         if (fault.empty()) continue;
         std::fprintf(stderr, "torture: %s\n", fault.c_str());
       } catch (const std::exception& error) {
@@ -200,30 +201,30 @@ class Torture {
       }
       return 1;
     }
-    place.is_done = true;
+    progress.is_done = true;
     return 0;
   }
 
-  void take_end(uint64_t job, int status) {
-    Place& place = places_[job];
-    if (place.is_done) return;
+  void process_end(uint64_t job, int status) {
+    Progress& progress = progress_[job];
+    if (progress.is_done) return;
     ++findings_;
     std::printf("torture: finding: seed %" PRIu64 ", %s %d\n  %s\n  repeat: %s --seed %" PRIu64
                 " --cases 1\n",
-                place.seed, WIFSIGNALED(status) ? "signal" : "exit code",
-                WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status), place.text, program_,
-                place.seed);
+                progress.seed, WIFSIGNALED(status) ? "signal" : "exit code",
+                WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status), progress.text,
+                program_, progress.seed);
     std::fflush(stdout);
-    place.seed += options_.jobs;
-    ++place.cases;
+    progress.seed += options_.jobs;
+    ++progress.cases;
     begin(job);
   }
 
   void print() const {
     uint64_t cases = 0, scans = 0;
     for (uint64_t job = 0; job < options_.jobs; ++job) {
-      cases += places_[job].cases;
-      scans += places_[job].scans;
+      cases += progress_[job].cases;
+      scans += progress_[job].scans;
     }
     std::printf("torture: %" PRIu64 " volumes, %" PRIu64 " scans, %" PRIu64 " findings\n", cases,
                 scans, findings_);
@@ -232,7 +233,7 @@ class Torture {
   Options options_;
   const char* program_;
   Clock::time_point end_;
-  Place* places_ = nullptr;
+  Progress* progress_ = nullptr;
   std::vector<pid_t> children_ = std::vector<pid_t>(options_.jobs);
   uint64_t findings_ = 0;
 };

@@ -1,4 +1,4 @@
-// What the slabs of a volume send, and the surface to which a joiner joins it.
+// The pieces that the slabs of a volume send, and the surface to which a joiner joins them.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace discmc::torture {
 
-/// Refuses this many of 256 offers.
+/// The number of refused offers per 256.
 class Refusals {
  public:
   Refusals(uint32_t of_256, uint32_t seed) : of_256_(of_256), seed_(seed) {}
@@ -25,7 +25,7 @@ class Refusals {
   uint64_t offers_ = 0;
 };
 
-/// A sink that refuses now and then, in front of another one. Errors: throws if a refused event is
+/// A sink that refuses some events, in front of another sink. Errors: throws if a refused event is
 /// not offered again.
 template <class Receiver>
 class RefusingSink {
@@ -49,7 +49,7 @@ class RefusingSink {
   std::optional<reference::RecordedEvent> refused_;
 };
 
-/// The events of one slab, without its start.
+/// Collects the events of one slab, without its start.
 class Pieces {
  public:
   SinkResult accept(const Event& event) {
@@ -62,7 +62,7 @@ class Pieces {
     return SinkResult::accepted;
   }
 
-  /// Room in a joiner for all fragments.
+  /// Capacities of a joiner for all fragments.
   JoinCapacities needed() const { return needed_; }
 
   void send_to(Joiner& joiner) const {
@@ -81,7 +81,7 @@ class Pieces {
   JoinCapacities needed_{0, 0};
 };
 
-/// Joins what slabs sent, in this order. Errors: throws if the joiner lacks a piece.
+/// Joins the pieces of slabs, in this order. Errors: throws if a piece is missing.
 inline Surface joined(const std::vector<Pieces>& slabs, uint32_t slices_below, InputOrder order,
                       const Refusals& refusals) {
   JoinCapacities capacities{1, 1};

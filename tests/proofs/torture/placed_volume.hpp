@@ -1,4 +1,4 @@
-// A generated volume at any height: its voxels row by row, and slabs of it.
+// A generated volume at any height: its voxels row by row, and its slabs.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace discmc::torture {
 
 struct PlacedVolume {
   shapes::On on;
-  reference::Size size;  ///< with the slices that are off
+  reference::Size size;  ///< including the slices that are off
   Border border;
   /// The number of slices below. If there are any, the first slice is the context of the lowest
-  /// slab, and the two lowest slices are off: no surface is below.
+  /// slab. The two lowest slices are off, so there is no surface below.
   uint32_t below;
 
   uint32_t first_own() const { return below > 0 ? 1 : 0; }
@@ -26,7 +26,8 @@ struct PlacedVolume {
     for (uint32_t x = 0; z >= off && x < size.width; ++x) row[x] = on(x, y, z - off) ? 1 : 0;
   }
 
-  /// Limits of the slab from a slice to before another; Units: slices of this volume.
+  /// Returns the limits of the slab from slice `first` to before `end`. Units: slices of this
+  /// volume.
   Limits limits_of_slab(uint32_t first, uint32_t end) const {
     return {size.width, size.height, border, {below + first, first > 0, end < size.depth}};
   }

@@ -1,5 +1,5 @@
-// Scans one slab by one kind of extractor, with refusals, and with checkpoints from which another
-// extractor continues in other memory.
+// Scans one slab by one kind of extractor, with refusals and checkpoints. After a checkpoint
+// another extractor continues in other memory.
 #pragma once
 
 #include <algorithm>
@@ -24,13 +24,13 @@ struct SlabPlan {
   uint32_t first, end;
   Scanner scanner;
   Capacities capacities;
-  uint32_t refusals;     ///< of 256 offers
+  uint32_t refusals;     ///< refused offers per 256
   uint32_t checkpoints;  ///< at most, spread over the slab
   uint32_t chunk;        ///< samples per push; 0: rows of bits
   uint32_t seed;
 };
 
-/// One slab, from start to finish. Extractors serve again in later scans.
+/// Scans one slab from start to finish. Extractors are reused for later scans.
 template <class Index, class Extractor>
 class SlabScan {
  public:
@@ -48,7 +48,7 @@ class SlabScan {
     for (uint32_t row = 0; row < rows; ++row) {
       volume_.read_row(row % volume_.size.height, first + row / volume_.size.height, row_);
       push_row();
-      // Never in step with slices.
+      // Not a divisor of slices, so pushes do not align with them.
       if (plan_.checkpoints > 0 && row % (rows / plan_.checkpoints + 1) == plan_.seed % 5)
         move_to_other();
     }
@@ -71,7 +71,7 @@ class SlabScan {
 
   void push_row() {
     if (plan_.chunk > 0) return reference::push_all(active(), row_, plan_.chunk);
-    bits_.assign((row_.size() + 7) / 8, 0xFF);  // bits beyond the row are to be ignored
+    bits_.assign((row_.size() + 7) / 8, 0xFF);  // bits beyond the row, which must be ignored
     for (size_t x = 0; x < row_.size(); ++x)
       if (row_[x] == 0) bits_[x / 8] = static_cast<uint8_t>(bits_[x / 8] & ~(1U << x % 8));
     for (;;) {
@@ -100,7 +100,8 @@ class SlabScan {
   std::vector<uint8_t> row_, bits_;
 };
 
-/// The events of a slab. Errors: throws when the extractor reports one, or breaks a promise.
+/// Returns the events of a slab. Errors: throws if the extractor reports an error or breaks a
+/// promise.
 inline Pieces scanned(const PlacedVolume& volume, const SlabPlan& plan) {
   Pieces pieces;
   switch (plan.scanner) {

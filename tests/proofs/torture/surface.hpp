@@ -1,5 +1,5 @@
-// A surface as one number per region, so that large surfaces compare. The numbers depend neither on
-// the order of regions and holes nor on where rings start.
+// A surface as one hash per region, so that large surfaces can be compared. The hashes depend
+// neither on the order of regions and holes nor on where rings start.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ inline uint64_t mixed(uint64_t value) {
 /// A sink for whole regions. Errors: throws if a loose fragment arrives.
 class Surface {
  public:
-  /// Regions compare as if there were no slices below.
+  /// Subtracts the slices below, so that regions compare equal at any height.
   explicit Surface(uint32_t slices_below) : lift_(2 * static_cast<int32_t>(slices_below)) {}
 
   SinkResult accept(const Event& event) {
@@ -57,8 +57,8 @@ class Surface {
     return SinkResult::accepted;
   }
 
-  /// How this surface, of a volume with this many seams, differs from that of the whole volume, or
-  /// nothing.
+  /// Returns how this surface, of a volume with this many seams, differs from that of the whole
+  /// volume; empty if it does not.
   std::string difference(Surface& other, size_t seams) {
     sort();
     other.sort();
@@ -78,7 +78,7 @@ class Surface {
   size_t regions() const { return regions_.size(); }
 
  private:
-  static constexpr size_t counted = 3;  // the counts that do not depend on how a volume is divided
+  static constexpr size_t counted = 3;  // counts that do not depend on the division of a volume
 
   struct Region {
     Incidence incidence;
@@ -137,7 +137,7 @@ class Surface {
   std::vector<Region> regions_;
   std::array<uint64_t, 8> counts_{};
 
-  // The region and the ring under way.
+  // The current region and ring.
   Region region_{};
   Incidence incidence_ = 0;
   uint32_t rings_ = 0, runs_ = 0;

@@ -1,4 +1,4 @@
-// The bound on the work of a call, as lib/DESIGN.md publishes it ("Work").
+// The bound on the work of a call, as published in lib/DESIGN.md ("Work").
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,12 @@
 
 namespace discmc::work {
 
-/// What the basic blocks of a call are counted by.
+/// The quantities on which the basic blocks of a call depend.
 struct Asked {
   uint64_t voxels = 0;
-  uint64_t rows = 0;       ///< of voxels, swept
+  uint64_t rows = 0;       ///< swept rows of voxels
   uint64_t vertices = 0;   ///< in these rows
-  uint64_t delivered = 0;  ///< events, and one more for every 680 links of a run
+  uint64_t delivered = 0;  ///< events, plus one for every 680 links of a run
   bool is_short = false;   ///< of slots
 };
 
@@ -22,20 +22,21 @@ constexpr bool is_portable = true;
 constexpr bool is_portable = false;
 #endif
 
-/// Units: basic blocks of the code that GCC or Clang make with -O1.
+/// Units: basic blocks of code compiled by GCC or Clang with -O1.
 struct Cost {
   static constexpr uint64_t call = 160;
   static constexpr uint64_t voxel = 4;
   static constexpr uint64_t row = 140;
   static constexpr uint64_t word = 40;
   static constexpr uint64_t vertex = 400;
-  static constexpr uint64_t short_vertex = 700;  ///< more, for looking how long fragments are
+  static constexpr uint64_t short_vertex = 700;  ///< more, to measure fragments
   static constexpr uint64_t delivered = 80;
-  static constexpr uint64_t hole_run = 20;   ///< of a run of a hole, which may wait to be delivered
+  static constexpr uint64_t hole_run = 20;   ///< of a run of a hole that may wait
   static constexpr uint64_t hole_look = 12;  ///< for a hole that waits and a run of a ring
 };
 
-/// holes: what the whole scan delivers: a ring may be compared with each. hole_runs: of all.
+/// holes: all that the scan delivers, because a ring may be compared with each. hole_runs: of all
+/// holes.
 inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64_t hole_runs) {
   const uint64_t vertex = Cost::vertex + (asked.is_short ? Cost::short_vertex : 0);
   const uint64_t blocks = Cost::call + asked.voxels * Cost::voxel +
@@ -46,11 +47,11 @@ inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64
   return is_portable ? blocks + blocks / 20 : blocks;
 }
 
-/// The same per coded row. The work per packet is its checksum and the change to the next packet.
+/// The bound per coded row. The work per packet is its checksum and the change to the next packet.
 struct SliceCost {
   static constexpr uint64_t row = 2000;  ///< the first row of a key slice, which resets the model
   static constexpr uint64_t voxel = 60;
-  // With fractions, more.
+  // Additional blocks with fractions.
   static constexpr uint64_t fraction_row = 1500;
   static constexpr uint64_t fraction_voxel = 300;  ///< of its three edges
 };

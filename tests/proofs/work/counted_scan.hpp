@@ -1,4 +1,4 @@
-// A scan whose work is counted, call by call.
+// A scan whose work is counted for each call.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace discmc::work {
 
-/// Basic blocks of the library that were executed so far.
+/// Executed basic blocks of the library.
 extern uint64_t blocks;
 
 /// The memory of a scan.
@@ -20,17 +20,17 @@ struct Room {
   Capacities capacities;
 };
 
-/// What the calls of a scan came to.
+/// Maxima over the calls of a scan.
 struct Work {
-  double max_of_bound = 0;  ///< the greatest share of its bound that a call took
-  double max_at_work = 0;   ///< the same of calls that met vertices
+  double max_of_bound = 0;  ///< maximum of work divided by bound
+  double max_at_work = 0;   ///< the same, for calls that visited vertices
   uint64_t most = 0;        ///< blocks of a push
   uint64_t blocks = 0;      ///< of all calls
   uint64_t vertices = 0;
   uint64_t fragments = 0;
 };
 
-/// Scans a volume row by row. Errors: throws what the extractor reports.
+/// Scans a volume row by row. Errors: throws on any error of the extractor.
 class CountedScan {
  public:
   CountedScan(const reference::BitVolume& volume, Border border, const Room& room)
@@ -77,17 +77,17 @@ class CountedScan {
     uint64_t taken;
   };
 
-  // Rows of voxels that are swept, and the first row of the halo.
+  // The swept rows of voxels, and the first row of the halo.
   int32_t first_row() const { return limits_.border == Border::closed ? -1 : 0; }
   int32_t end_row() const { return static_cast<int32_t>(limits_.height); }
-  // The row behind those below slice z that can be swept once its row y is there.
+  // Returns the last row below slice z that can be swept when its row y has arrived.
   int32_t ready_rows(uint32_t y, uint32_t z) const {
     if (limits_.border == Border::open && z == 0) return 0;
     if (y + 1 == volume_.height) return end_row();
     return static_cast<int32_t>(y);
   }
 
-  // What the rows from `first` to `end` - 1 of the slice below slice z ask for.
+  // Returns the work that the rows from `first` to `end` - 1 of the slice below slice z require.
   Asked sweep_of(uint32_t z, int32_t first, int32_t end) const {
     const int32_t slice = static_cast<int32_t>(z) - 1;
     const auto differ = [&](const Vertex& a, const Vertex& b) {

@@ -1,4 +1,4 @@
-// A scan encoded as slices, whose work is counted row by row.
+// Encodes a scan as slices, and counts the work of each row.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace discmc::work {
 
 struct SliceWork {
   uint64_t most = 0;        ///< blocks of a push
-  double max_of_bound = 0;  ///< the greatest share of its bound that one took
+  double max_of_bound = 0;  ///< maximum of work divided by bound
 };
 
-/// Encodes a volume row by row, as a number of identical surfaces. levels: 0 for a SliceEncoder.
-/// Errors: throws what the encoder reports.
+/// Encodes a volume row by row, as several identical surfaces. levels: 0 for a SliceEncoder.
+/// Errors: throws on any error of the encoder.
 template <class AnyEncoder>
 SliceWork encode_slices(const reference::BitVolume& volume, uint32_t key_slice_interval,
                         uint8_t surfaces, uint8_t levels) {

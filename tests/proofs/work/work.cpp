@@ -1,7 +1,7 @@
-// How much work a row can ask for: counted, and compared with the bound of lib/DESIGN.md ("Work").
+// Counts the maximum work of a row, and compares it with the bound of lib/DESIGN.md ("Work").
 //
-// The library is compiled so that every basic block that it executes calls the counter below. So
-// the counts are the same in every run, and the sources need no change.
+// The compiler adds a call of the counter below to every basic block of the library. So the counts
+// are equal in every run, and the sources need no change.
 
 #include <charconv>
 #include <cinttypes>
@@ -19,7 +19,7 @@ using namespace discmc::work;
 
 uint64_t discmc::work::blocks = 0;
 
-// The name is the compiler's.
+// The compiler's instrumentation requires this name.
 extern "C" void __sanitizer_cov_trace_pc();  // NOLINT(bugprone-reserved-identifier)
 void __sanitizer_cov_trace_pc() {            // NOLINT(bugprone-reserved-identifier)
   ++blocks;
@@ -42,7 +42,7 @@ struct Hostile {
   BitVolume volume;
 };
 
-// A wall on teeth that stand in the first slices: the slice above joins many chains one by one.
+// A wall on teeth in the first slices. The slice above joins many chains one by one.
 BitVolume wall_on_teeth(Size size) {
   return volume_of(size, [](uint32_t, uint32_t y, uint32_t z) { return z >= 2 || y % 2 == 0; });
 }
@@ -74,8 +74,7 @@ std::vector<Hostile> hostile_volumes() {
           {"widest rows, random", random({Limits::max_extent, 2, 2}, 128, 4)}};
 }
 
-// More than any of the volumes needs, so little that fragments are looked at, a little, and the
-// least.
+// Memory: more than any volume needs; so little that fragments are measured; less; the minimum.
 std::vector<Room> rooms(Capacities ample) {
   return {{"ample", ample},
           {"1,000 slots", {1000, 60}},
@@ -120,7 +119,7 @@ bool check_slices() {
   return holds;
 }
 
-// Flips some voxels, or makes one row or slice as another.
+// Flips some voxels, or copies a row or slice over another.
 void change(BitVolume& volume, std::mt19937& chance) {
   const auto below = [&](size_t limit) { return chance() % limit; };
   const size_t stretch = below(8) == 0 ? volume.width * (below(2) == 0 ? 1 : volume.height) : 0;
@@ -132,7 +131,7 @@ void change(BitVolume& volume, std::mt19937& chance) {
   for (size_t flips = 1 + below(4); flips > 0; --flips) volume.on[below(volume.voxels())] ^= 1;
 }
 
-// Climbs from noise to the volume with the row that comes nearest to its bound.
+// Starts with noise and keeps the changes that bring a row nearer to its bound.
 double climb(Border border, const Room& room, Size size, uint64_t steps, uint32_t seed) {
   std::mt19937 chance(seed);
   BitVolume best = random(size, 128, seed);

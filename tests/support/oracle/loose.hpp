@@ -264,7 +264,7 @@ inline Events events_of(const Pieces& pieces) {
 class Delivered {
  public:
   explicit Delivered(const Events& events) {
-    for (const RecordedEvent& recorded : events) take(recorded);
+    for (const RecordedEvent& recorded : events) add(recorded);
     require(piece_.empty(), "a piece without end");
   }
 
@@ -277,7 +277,7 @@ class Delivered {
     if (!holds) throw GrammarError(broken);
   }
 
-  void take(const RecordedEvent& recorded) {
+  void add(const RecordedEvent& recorded) {
     const Event event = recorded.event();
     const bool is_begin = recorded.is(Event::Kind::region) || recorded.is(Event::Kind::fragment);
     if (piece_.empty() && !is_begin) {
@@ -307,7 +307,7 @@ class Delivered {
         start_ = at_ = event.start;
         return;
       case Event::Kind::run:
-        return take_run(event);
+        return add_run(event);
       case Event::Kind::region_end:
         require(is_in_region, "a fragment that ends as a region");
         end_ring();
@@ -324,7 +324,7 @@ class Delivered {
     piece_.clear();
   }
 
-  void take_run(const Event& event) {
+  void add_run(const Event& event) {
     require(!region_.rings.empty(), "a run outside a ring");
     require(event.normal == normal_at(at_), "a normal of another vertex");
     runs_.push_back(event.run);

@@ -231,8 +231,8 @@ Vertex ray_vector(int axis, int quadrant, int way) {
 // A way has no bits other than those of its members.
 bool is_way(const Way& way, const Vertex& vector, bool is_ahead) {
   if (way.link() >= link_codes || link_vector(way.link()) != vector) return false;
-  const Way told(way.link(), way.queue_out(), is_ahead);
-  return std::memcmp(&told, &way, sizeof way) == 0;
+  const Way rebuilt(way.link(), way.queue_out(), is_ahead);
+  return std::memcmp(&rebuilt, &way, sizeof way) == 0;
 }
 
 bool leads_across_faces(const SectorTable& table) {

@@ -130,7 +130,7 @@ Status begin_stream(Encoding& encoder, const StreamHeader& header, const ByteOut
 }
 
 template <class Encoding>
-void take_all(Encoding& encoder, const Events& events) {
+void encode_all(Encoding& encoder, const Events& events) {
   for (const RecordedEvent& recorded : events)
     for (int tries = 0; encoder.accept(recorded.event()) != SinkResult::accepted; ++tries)
       if (tries > 10000) throw std::runtime_error("an event that is never taken");
@@ -147,7 +147,7 @@ Bytes encode(const Events& events, const StreamHeader& header = any_header(),
   Line line(bytes_at_once);
   Encoding encoder;
   reference::require_ok(begin_stream(encoder, header, line.output()));
-  take_all(encoder, events);
+  encode_all(encoder, events);
   while (encoder.flush() == Status::suspended) continue;
   if (encoder.bytes() != line.bytes.size()) throw std::runtime_error("bytes() is wrong");
   return line.bytes;
@@ -201,7 +201,7 @@ inline std::vector<Events> events_by_frame(const std::vector<Bytes>& frames) {
 /// events break the grammar of sink.hpp, including `lost`.
 inline std::vector<Events> pieces_of(const Events& events) {
   using Kind = Event::Kind;
-  enum class Place {
+  enum class State {
     between,
     region,
     ring,
@@ -209,7 +209,7 @@ inline std::vector<Events> pieces_of(const Events& events) {
     fragment,
     fragment_runs,
     over
-  } place = Place::between;
+  } state = State::between;
   const auto require = [](bool holds) {
     if (!holds) throw reference::GrammarError("events in an order that the grammar does not have");
   };
@@ -218,36 +218,36 @@ inline std::vector<Events> pieces_of(const Events& events) {
   uint32_t directions = 0;
   for (const RecordedEvent& recorded : events) {
     const Event event = recorded.event();
-    const bool is_in_ring = place == Place::ring || place == Place::runs;
-    const bool is_in_fragment = place == Place::fragment || place == Place::fragment_runs;
-    require(place != Place::over);
+    const bool is_in_ring = state == State::ring || state == State::runs;
+    const bool is_in_fragment = state == State::fragment || state == State::fragment_runs;
+    require(state != State::over);
     if (recorded.is(Kind::run)) {
       require(is_in_ring || is_in_fragment);
       require(event.run.length() > 0 && event.run.direction() < directions);
-      place = is_in_ring ? Place::runs : Place::fragment_runs;
+      state = is_in_ring ? State::runs : State::fragment_runs;
     } else if (recorded.is(Kind::ring)) {
-      require(place == Place::region || place == Place::runs);
-      require(event.is_hole == (place == Place::runs));
+      require(state == State::region || state == State::runs);
+      require(event.is_hole == (state == State::runs));
       require((event.start.x ^ event.start.y ^ event.start.z) & 1);
-      place = Place::ring;
+      state = State::ring;
     } else if (recorded.is(Kind::region_end)) {
-      require(place == Place::runs);
-      place = Place::between;
+      require(state == State::runs);
+      state = State::between;
     } else if (recorded.is(Kind::fragment_end)) {
-      require(place == Place::fragment_runs);
-      place = Place::between;
+      require(state == State::fragment_runs);
+      state = State::between;
     } else if (recorded.is(Kind::lost)) {
-      require(place != Place::between);
-      place = Place::between;
+      require(state != State::between);
+      state = State::between;
       open.clear();
     } else {
-      require(place == Place::between);
-      if (recorded.is(Kind::region)) place = Place::region;
-      if (recorded.is(Kind::fragment)) place = Place::fragment;
-      if (recorded.is(Kind::finish)) place = Place::over;
-      if (place == Place::region || place == Place::fragment)
+      require(state == State::between);
+      if (recorded.is(Kind::region)) state = State::region;
+      if (recorded.is(Kind::fragment)) state = State::fragment;
+      if (recorded.is(Kind::finish)) state = State::over;
+      if (state == State::region || state == State::fragment)
         directions = direction_count(event.incidence);
-      if (place == Place::fragment) {
+      if (state == State::fragment) {
         require((event.start.x ^ event.start.y ^ event.start.z) & 1);
         require(event.incoming_direction < directions);
       }

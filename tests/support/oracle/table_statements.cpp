@@ -250,7 +250,8 @@ FacetTables facet_tables() {
 
 ModelTable model_table() {
   ModelTable model;
-  std::copy(std::begin(detail::stream::shares), std::end(detail::stream::shares), model.shares);
+  std::copy(std::begin(detail::stream::cumulative_frequencies),
+            std::end(detail::stream::cumulative_frequencies), model.frequencies);
   return model;
 }
 
@@ -258,9 +259,9 @@ ModelTable model_table() {
 // new WIRE.md.
 const char* broken(const ModelTable& model) {
   const uint32_t version_1 = 0x2725C136;
-  return crc32(model.shares, sizeof(model.shares)) == version_1
+  return crc32(model.frequencies, sizeof(model.frequencies)) == version_1
              ? nullptr
-             : "the shares are those of version 1";
+             : "the frequencies are those of version 1";
 }
 
 }  // namespace discmc::reference

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <discmc/geometry/facet_table.hpp>
-#include <discmc/stream/shares.hpp>
+#include <discmc/stream/frequencies.hpp>
 
 #include <iterator>
 
@@ -17,9 +17,9 @@ struct FacetTables {
   CellFacts facts;
 };
 
-/// The shares of the stream's symbols.
+/// The cumulative frequencies of the stream's symbols.
 struct ModelTable {
-  uint8_t shares[std::size(detail::stream::shares)];
+  uint8_t frequencies[std::size(detail::stream::cumulative_frequencies)];
 };
 
 /// Returns the tables of the library.

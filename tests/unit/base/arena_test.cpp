@@ -1,4 +1,4 @@
-// The bump arena: aligned arrays one behind the other, and never a byte beyond.
+// The bump arena: aligned arrays, one after the other, within the memory.
 #include <discmc/base/arena.hpp>
 
 #include "test.hpp"
@@ -119,7 +119,7 @@ TEST_CASE("arrays do not overlap and stay within the memory for any sequence of 
       const uint32_t count = next(9);
       auto* records = arena.allocate<Six>(count);
       if (records == nullptr) continue;
-      // Address sanitizers see a byte beyond; a byte twice taken is no longer zero.
+      // Address sanitizers detect a byte beyond. A byte allocated twice is no longer zero.
       const auto* raw = reinterpret_cast<const uint8_t*>(records);
       CHECK(std::all_of(raw, raw + count * sizeof(Six), [](uint8_t byte) { return byte == 0; }));
       if (count > 0) std::memset(records, 0xFF, count * sizeof(Six));

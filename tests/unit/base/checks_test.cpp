@@ -1,4 +1,4 @@
-// What is poisoned in the caller's memory, and what traps: with an address sanitizer.
+// With an address sanitizer: poisoned parts of the caller's memory, and traps.
 #include <discmc/base/checks.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/joiner.hpp>
@@ -25,7 +25,7 @@ struct Item {
 };
 using Items = Pool<Item, uint32_t>;
 
-// Reads every byte, as a caller does who copies his memory.
+// Reads every byte, as a caller does to copy the memory.
 uint32_t sum_of(const void* data, size_t bytes) {
   const auto* const first = static_cast<const uint8_t*>(data);
   return std::accumulate(first, first + bytes, 0U);
@@ -71,7 +71,7 @@ TEST_CASE("the memory of a joiner is free for use after the end") {
   scan_into<uint16_t>(joiner, volume, {}, Capacities{60, 10});
   require_ok(joiner.finish());
   CHECK(joiner.report().received > 0);
-  // Red zones stay.
+  // Red zones stay poisoned.
   if (red_zone_bytes == 0) std::fill(memory.begin(), memory.end(), uint8_t{0});
 }
 
@@ -92,7 +92,7 @@ bool is_poisoned(const void* byte) {
   return __asan_address_is_poisoned(byte) != 0;
 }
 
-// Whether a process that does something is ended by a trap or a report.
+// Whether a trap or a report ends a process that runs this function.
 template <class Action>
 bool is_fatal(Action action) {
   const pid_t child = fork();
@@ -159,9 +159,9 @@ TEST_CASE("misuse of a pool aborts, such as releasing a slot twice or reading a 
   Items& pool = heap.pool;
   for (int i = 0; i < 5; ++i) (void)pool.allocate();
   pool.release(2);
-  CHECK(is_fatal([&] { pool.release(2); }));        // given back already
-  CHECK(is_fatal([&] { pool.release(6); }));        // never taken
-  CHECK(is_fatal([&] { pool.release(no_slot); }));  // none
+  CHECK(is_fatal([&] { pool.release(2); }));        // already released
+  CHECK(is_fatal([&] { pool.release(6); }));        // never allocated
+  CHECK(is_fatal([&] { pool.release(no_slot); }));  // no slot
   CHECK(is_fatal([&] { pool[2].payload = 1; }));
   CHECK(is_fatal([&] { pool[6].payload = 1; }));
   CHECK(is_fatal([&] { pool[no_slot].payload = 1; }));

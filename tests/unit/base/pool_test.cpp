@@ -1,4 +1,4 @@
-// The pool: every slot once, in an order that depends on the calls alone.
+// The pool: it allocates every slot once, in an order that depends only on the calls.
 #include <discmc/base/pool.hpp>
 
 #include "test.hpp"
@@ -13,7 +13,7 @@ struct PooledSlot {
   uint32_t payload;
 };
 
-// With slots of its own, all of them unused.
+// A pool with slots of its own, all unused.
 template <class Index>
 class StartedPool : public Pool<PooledSlot<Index>, Index> {
  public:
@@ -33,7 +33,7 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
   uint32_t peak = 0;
   for (uint32_t i = 0; i < 20000; ++i) {
     seed = seed * 1664525 + 1013904223;
-    // Periods of growth and of shrinking.
+    // Alternates between growth and shrinking.
     const bool takes = (seed >> 20) % 100 < (i / 1000 % 2 == 0 ? 70U : 30U);
     if (takes) {
       const Index index = pool.allocate();
@@ -106,7 +106,7 @@ TEST_CASE("a pool without slots returns no_slot") {
 }
 
 TEST_CASE("index 0 means no slot, and all other indices are used") {
-  // As many slots as a 16-bit index can name.
+  // The maximum number of slots with 16-bit indices.
   StartedPool<uint16_t> pool(65535);
   for (uint32_t i = 1; i <= 65535; ++i) REQUIRE(pool.allocate() == i);
   CHECK(pool.allocate() == no_slot);

@@ -32,7 +32,7 @@ struct Stream {
 
 const StreamHeader header{12, 9, 7, {1000, -2000, 3000}, {-5}, Border::open, 5, 300};
 
-// Offers a start whose header is C's, and no more of it than there is.
+// Offers a start with a header of C, without the members that C lacks.
 discmc_sink_result begin(discmc_encoder* encoder, uint32_t width) {
   const auto scan = std::make_unique<discmc_stream_header>(
       discmc_stream_header{width, 9, 0, {0, 0, 0}, {-5}, DISCMC_OPEN, 0, 0, 1, 0});
@@ -60,7 +60,7 @@ Events with_normals(const Events& plain) {
   return all;
 }
 
-void take_all(discmc_encoder* encoder, const Events& all, size_t first, size_t end) {
+void encode_all(discmc_encoder* encoder, const Events& all, size_t first, size_t end) {
   for (size_t i = first; i < end; ++i) {
     const Event event = all[i].event();
     while (discmc_encoder_accept(encoder, reinterpret_cast<const discmc_event*>(&event)) !=
@@ -76,9 +76,9 @@ void compare(const discmc_encoder_kind& kind, Encoder& encoder, const Events& al
   stream.start();
   CHECK(begin(stream.encoder, 12) == DISCMC_SINK_ACCEPTED);
   const size_t middle = all.size() / 2;
-  take_all(stream.encoder, all, 0, middle);
+  encode_all(stream.encoder, all, 0, middle);
 
-  // The power fails after a part of a frame has gone out; the frame is sent again.
+  // The power fails after a part of a frame was written; the frame is sent again.
   for (int i = 0; i < 2; ++i) CHECK(discmc_encoder_flush(stream.encoder) == DISCMC_SUSPENDED);
   discmc_memory part;
   REQUIRE(discmc_encoder_save(stream.encoder, &part) == DISCMC_OK);
@@ -96,7 +96,7 @@ void compare(const discmc_encoder_kind& kind, Encoder& encoder, const Events& al
   CHECK(discmc_encoder_stream_bytes(later.encoder) < line.bytes.size());
   line.bytes.resize(discmc_encoder_stream_bytes(later.encoder));
 
-  take_all(later.encoder, all, middle, all.size());
+  encode_all(later.encoder, all, middle, all.size());
   while (discmc_encoder_flush(later.encoder) == DISCMC_SUSPENDED) continue;
   CHECK((stream.memory.is_intact() && later.memory.is_intact()));
   CHECK(discmc_encoder_stream_bytes(later.encoder) == line.bytes.size() + other_line.bytes.size());
@@ -105,9 +105,9 @@ void compare(const discmc_encoder_kind& kind, Encoder& encoder, const Events& al
   Line expected;
   require_ok(test::begin_stream(encoder, header, expected.output()));
   const auto half = all.begin() + static_cast<std::ptrdiff_t>(middle);
-  test::take_all(encoder, Events(all.begin(), half));
+  test::encode_all(encoder, Events(all.begin(), half));
   CHECK(encoder.flush() == Status::ok);
-  test::take_all(encoder, Events(half, all.end()));
+  test::encode_all(encoder, Events(half, all.end()));
   CHECK(encoder.flush() == Status::ok);
   CHECK(line.bytes == expected.bytes);
 }
@@ -141,9 +141,9 @@ TEST_CASE("records, outputs and further scans are as in C++") {
     discmc_encoder_set_output(stream.encoder,
                               drops ? discmc_byte_output{} : in_c(other_line.output()));
     encoder.set_output(drops ? ByteOutput{} : other_cpp_line.output());
-    take_all(stream.encoder, events(), drops ? 0 : 1000, drops ? 1000 : events().size());
-    test::take_all(encoder, Events(events().begin() + (drops ? 0 : 1000),
-                                   drops ? events().begin() + 1000 : events().end()));
+    encode_all(stream.encoder, events(), drops ? 0 : 1000, drops ? 1000 : events().size());
+    test::encode_all(encoder, Events(events().begin() + (drops ? 0 : 1000),
+                                     drops ? events().begin() + 1000 : events().end()));
   }
   CHECK(discmc_encoder_write_record(stream.encoder, &record) == DISCMC_FINISHED);
   CHECK(begin(stream.encoder, 14) == DISCMC_SINK_ACCEPTED);

@@ -17,7 +17,7 @@ constexpr uint32_t width = 21, height = 17, depth = 13;
 constexpr int32_t threshold = 100;
 constexpr uint32_t lost_row = 40;  // of all rows
 
-// Walls with noise, so that there are holes, and too much for little memory.
+// Walls with noise: the volume has holes, and needs more than little memory.
 template <class Sample>
 std::vector<Sample> make_samples() {
   std::vector<Sample> samples(size_t{width} * height * depth);
@@ -68,7 +68,7 @@ struct Scan {
   discmc_extractor* extractor = nullptr;
 };
 
-// ---- the same in C++ ----
+// ---- the same scan in C++ ----
 
 template <class Scanner, class Sample>
 void scan_in_cpp(Scanner& scanner, const Limits& limits, const Capacities& capacities,
@@ -94,7 +94,7 @@ std::unique_ptr<Scanner> make_scanner() {
   return scanner;
 }
 
-// Scans in C, with a power failure on the way, and holds it against C++.
+// Scans in C, with a power failure in between, and compares with C++.
 template <class Scanner, class Sample, class Row = Sample>
 void compare(const discmc_extractor_kind& kind, discmc_sample_type type,
              const std::vector<Row>& rows, uint64_t spare) {

@@ -1,4 +1,4 @@
-// A receiver in C delivers what a Receiver delivers, and a joiner what a Joiner does.
+// Receivers and joiners in C deliver the same events as in C++.
 #include <discmc/discmc.h>
 
 #include <discmc/joiner.hpp>
@@ -21,7 +21,7 @@ const BitVolume& volume() {
 }
 constexpr discmc_limits limits = {20, 15, DISCMC_CLOSED};
 
-// With so little memory that most is sent loose.
+// So little memory that most fragments are loose.
 const Bytes& polygons() {
   static const Bytes stream =
       test::encode(test::events_of(volume(), Extractor32::default_capacities({20, 15}, 3000)),
@@ -130,9 +130,9 @@ TEST_CASE("a receiver in C accepts memory for slices late and needs none for pol
   const discmc_limits found = {info.header.width, info.header.height, info.header.border};
   Block memory(discmc_receiver_bytes(&found, info.header.surface_count, info.header.levels));
   const discmc_memory given = {memory.memory().data, memory.memory().bytes};
-  CHECK(discmc_receiver_give_memory(receiver.receiver, {given.data, 100}) ==
+  CHECK(discmc_receiver_set_memory(receiver.receiver, {given.data, 100}) ==
         DISCMC_TOO_LITTLE_MEMORY);
-  CHECK(discmc_receiver_give_memory(receiver.receiver, given) == DISCMC_OK);
+  CHECK(discmc_receiver_set_memory(receiver.receiver, given) == DISCMC_OK);
   result = discmc_receiver_push(receiver.receiver, stream.data() + result.accepted,
                                 stream.size() - result.accepted);
   CHECK(result.status == DISCMC_FINISHED);

@@ -118,7 +118,7 @@ void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::
             return discmc_slice_encoder_write_record(scan.encoder, &record);
           }) == DISCMC_OK);
 
-  // The power fails after a part of a frame has gone out; the frame is sent again.
+  // The power fails after a part of a frame was written; the frame is sent again.
   for (int i = 0; i < 2; ++i) CHECK(discmc_slice_encoder_flush(scan.encoder) == DISCMC_SUSPENDED);
   discmc_memory part;
   REQUIRE(discmc_slice_encoder_save(scan.encoder, &part) == DISCMC_OK);
@@ -145,7 +145,7 @@ void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::
   CHECK(line.bytes == stream_of_cpp<Encoder, Sample>(levels));
 }
 
-// A row of each surface, one behind the other.
+// A row of each surface, one after the other.
 std::vector<uint8_t> bits_of(const std::vector<uint8_t>& samples) {
   constexpr size_t row_bytes = (width + 7) / 8;
   std::vector<uint8_t> bits(row_bytes * surfaces * height * depth);

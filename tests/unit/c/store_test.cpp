@@ -29,7 +29,7 @@ discmc_store_config config_of(SimulatedFlash& simulated, Block& memory, uint32_t
           {memory.memory().data, memory.memory().bytes}};
 }
 
-// Saves two parts that are full of a byte.
+// Saves two parts, each filled with one byte value.
 discmc_status save(discmc_store* store, uint8_t byte) {
   std::vector<uint8_t> first(900, byte), second(300, byte);
   const discmc_memory parts[] = {{first.data(), first.size()}, {second.data(), second.size()}};

@@ -1,4 +1,4 @@
-// Checkpoints in flash: whenever the power fails, the newest whole one is found.
+// Checkpoints in flash: whenever the power fails, the newest complete one is found.
 #include <discmc/checkpoint_store.hpp>
 #include <discmc/stream/crc32.hpp>
 
@@ -70,7 +70,7 @@ class Contents {
   std::vector<Memory> parts() {
     return {{bytes_.data(), 24}, {bytes_.data() + 24, 101}, {bytes_.data() + 125, left()}};
   }
-  /// The parts as they lie in flash: lengths, then bytes.
+  /// The parts as stored in flash: lengths, then bytes.
   std::vector<uint8_t> stored() {
     std::vector<uint8_t> bytes(StorePlan::max_parts * sizeof(uint32_t));
     for (size_t i = 0; i < parts().size(); ++i) {
@@ -107,7 +107,7 @@ void save_all(Keeper& keeper, uint32_t end) {
   for (uint32_t number = 0; number < end; ++number) REQUIRE(save(keeper, number) == Status::ok);
 }
 
-/// The number whose contents the store finds; UINT32_MAX if it finds none.
+/// Returns the number whose contents the store finds; UINT32_MAX if it finds none.
 uint32_t number_found(SimulatedFlash& flash, uint32_t limit) {
   Keeper keeper(flash);
   REQUIRE(keeper.status == Status::ok);
@@ -119,14 +119,14 @@ uint32_t number_found(SimulatedFlash& flash, uint32_t limit) {
   return UINT32_MAX;
 }
 
-/// The slot of a checkpoint that is in a flash, as its bytes lie there.
+/// Returns the flash slot of a checkpoint, as its bytes in a flash.
 uint8_t* slot(SimulatedFlash& flash, const StorePlan& plan, uint32_t number) {
   const uint32_t block = number / plan.slots_per_block * plan.blocks_per_slot;
   return flash.bytes.data() + size_t{block} * plan.geometry.block_bytes +
          size_t{number % plan.slots_per_block} * plan.slot_units * plan.geometry.program_bytes;
 }
 
-/// Writes a slot by hand, as the header describes it.
+/// Writes a flash slot by hand, in the format that the header describes.
 void put_slot(uint8_t* bytes, uint32_t sequence, Contents contents,
               uint32_t format = StoredHead::current_format) {
   StoredHead head{format, sequence, contents.bytes(), 0};
@@ -194,7 +194,7 @@ TEST_CASE("after a power failure the checkpoint found is the newest or the one b
       REQUIRE(saved == std::count_if(complete.begin(), complete.end(),
                                      [cut](uint64_t steps) { return steps < cut; }));
       flash.power_on();
-      // If only 1 bits were left to program, the interrupted checkpoint is whole.
+      // If only 1 bits were left to program, the interrupted checkpoint is complete.
       const uint32_t found = number_found(flash, saves);
       REQUIRE((found == saved || found + 1 == saved));
       REQUIRE_FALSE(flash.has_broken_rules);
@@ -395,7 +395,7 @@ TEST_CASE("a failed device call is reported and preserves older checkpoints") {
       REQUIRE(save(keeper, 3) == Status::device_error);
       CHECK(keeper.store.sequence() == 3);
       const uint32_t found = number_found(flash, 4);
-      CHECK((found == 2 || found == 3));  // all is written when a sync fails
+      CHECK((found == 2 || found == 3));  // everything is written when a sync fails
       CHECK(keeper.store.resume() == Status::ok);
       REQUIRE(save(keeper, 4) == Status::ok);
       CHECK(number_found(flash, 5) == 4);
@@ -582,7 +582,7 @@ TEST_CASE(
     CHECK(Keeper(flash).status == Status::device_error);
     REQUIRE(save(keeper, 1) == Status::ok);
   }
-  flash.fail_call(1);  // the head of the newer
+  flash.fail_call(1);  // the head of the newer one
   Keeper keeper(flash);
   CHECK(keeper.status == Status::ok);
   CHECK(keeper.store.sequence() == 1);

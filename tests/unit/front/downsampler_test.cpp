@@ -1,5 +1,5 @@
-// Means of blocks beside those added voxel by voxel; that they are those of `discmc extract
-// --shrink` is in command/volume_part.
+// The means of blocks equal those added voxel by voxel. command/volume_part compares them with
+// `discmc extract --shrink`.
 #include <discmc/front/downsampler.hpp>
 
 #include "oracle/scan.hpp"
@@ -21,7 +21,7 @@ std::vector<Sample> some_samples(const Size& size, uint64_t seed) {
   return samples;
 }
 
-// The nearest to the mean, a half to the greater one.
+// Rounds to the nearest value, halves upwards.
 template <class Sample>
 Sample mean_at(const std::vector<Sample>& samples, const Size& size, uint32_t extent, uint32_t x,
                uint32_t y, uint32_t z) {

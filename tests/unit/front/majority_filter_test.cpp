@@ -1,4 +1,4 @@
-// The majority filter, beside one that counts voxel by voxel.
+// The majority filter, compared with one that counts voxel by voxel.
 #include <discmc/front/majority_filter.hpp>
 
 #include "oracle/scan.hpp"
@@ -48,7 +48,7 @@ BitVolume filtered(const BitVolume& volume, MajorityFilter& filter) {
     ++rows;
   };
   for (std::size_t row = 0; row < std::size_t{volume.height} * volume.depth; ++row) {
-    // Unused bits are not looked at.
+    // Unused bits are ignored.
     std::vector<std::uint8_t> bits((volume.width + 7) / 8, 0xFF);
     for (std::uint32_t x = 0; x < volume.width; ++x)
       if (volume.on[row * volume.width + x] == 0)
@@ -98,7 +98,7 @@ TEST_CASE("a filter refuses invalid limits and too little memory") {
   CHECK(filter.start({0, 4}, block.memory()) == Status::bad_limits);
 }
 
-TEST_CASE("a filter that is started again forgets everything") {
+TEST_CASE("a restarted filter is independent of the previous volume") {
   const Limits limits{10, 3};
   Block block(MajorityFilter::bytes_for(limits));
   MajorityFilter filter;
@@ -142,6 +142,6 @@ TEST_CASE("a filter uses two slices and four rows of memory, and writes only the
   const std::uint8_t* const due = filter.drain();
   REQUIRE(due != nullptr);
   CHECK(due[4] == 0x01);
-  // In a checked build a red zone.
+  // A red zone in checked builds.
   if (discmc::red_zone_bytes == 0) CHECK(due[row_bytes] == 0x5A);
 }

@@ -1,5 +1,5 @@
-// Packed samples against the tables of the standards, bit by bit: packed one after the other by
-// where each of their bits goes, and unpacked.
+// Packed samples, compared bit by bit with the tables of the standards. The tests pack each bit at
+// its position, and unpack.
 #include <discmc/front/packed_samples.hpp>
 
 #include "oracle/stream.hpp"
@@ -9,7 +9,7 @@ using namespace discmc;
 
 namespace {
 
-/// Where a bit of a sample lies: the byte of the group, and the bit in it.
+/// The position of a bit of a sample: the byte in the group, and the bit in the byte.
 struct Place {
   uint32_t byte, bit;
 };
@@ -20,7 +20,7 @@ struct Layout {
   Place (*place)(uint32_t sample, uint32_t bit);
 };
 
-// The upper eight bits have a byte of their own, and the lower ones share the last.
+// The upper eight bits have a byte of their own; the lower bits share the last byte.
 template <uint32_t low, uint32_t shared>
 Place mipi(uint32_t sample, uint32_t bit) {
   return bit >= low ? Place{sample, bit - low} : Place{shared, low * sample + bit};

@@ -1,4 +1,4 @@
-// What is picked of a volume, beside a choice voxel by voxel.
+// The rows and samples of a crop, compared with a choice voxel by voxel.
 #include <discmc/front/row_cropper.hpp>
 
 #include "oracle/volume.hpp"
@@ -15,7 +15,7 @@ bool is_picked(const CropRange& range, uint32_t at, uint32_t count) {
          (at - range.first) / range.step < count;
 }
 
-// How many are picked, counted.
+// Counts the chosen voxels.
 uint32_t counted(const CropRange& range, uint32_t extent) {
   uint32_t count = 0;
   for (uint32_t at = range.first; at < extent; at += range.step) ++count;
@@ -39,7 +39,7 @@ void check(const CropRange& x, const CropRange& y, const CropRange& z) {
   const reference::BitVolume volume = reference::random({19, 7, 6}, 128, 1);
   RowCropper cropper;
   REQUIRE(cropper.start({5, 9}, {}, {}, {}) == Status::ok);
-  for (uint32_t row = 0; row < 4; ++row) CHECK(cropper.next());  // another scan, broken off
+  for (uint32_t row = 0; row < 4; ++row) CHECK(cropper.next());  // another scan, abandoned
   REQUIRE(cropper.start({19, 7, Border::open}, x, y, z) == Status::ok);
   const Limits limits = cropper.limits();
   CHECK(limits.width == counted(x, 19));

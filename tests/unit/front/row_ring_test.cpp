@@ -1,5 +1,5 @@
-// The ring of rows beside a list of the rows that came. One thread after the other; with an
-// interrupt after every instruction of the other side; and with a second thread.
+// The ring of rows, compared with a list of the arrived rows. It is tested in one thread, with an
+// interrupt after every instruction, and with a second thread.
 #include <discmc/front/row_ring.hpp>
 
 #include <thread>
@@ -25,8 +25,8 @@ struct Ring : RowRing {
   Block block;
 };
 
-// What a sensor does: the row goes into the ring, its bytes all of its number, or is lost.
-bool bring(RowRing& ring, uint32_t ahead = 0) {
+// A sensor: a row enters the ring, with all bytes equal to its number, or is lost.
+bool produce(RowRing& ring, uint32_t ahead = 0) {
   void* const row = ring.free_row(ahead);
   if (row == nullptr) {
     ring.drop();
@@ -44,15 +44,15 @@ bool is_row(const RowRing& ring, uint32_t number) {
   return true;
 }
 
-// What a task has seen so far: a character a row, in their order.
+// The rows that a task has read: one character per row, in order.
 struct Task {
   std::string seen;
   bool is_right = true;
   bool has_ended = false;
 
-  // Takes what there is, at most so much; returns how much.
-  uint32_t take(RowRing& ring, uint32_t most) {
-    for (uint32_t taken = 0; taken < most; ++taken) {
+  // Reads the available rows, at most `limit`. Returns their number.
+  uint32_t read(RowRing& ring, uint32_t limit) {
+    for (uint32_t taken = 0; taken < limit; ++taken) {
       const Next next = ring.peek();
       if (next == Next::none || next == Next::end) {
         has_ended = next == Next::end;
@@ -63,7 +63,7 @@ struct Task {
       seen += next == Next::ready ? 'r' : 'l';
       ring.pop();
     }
-    return most;
+    return limit;
   }
 };
 
@@ -73,13 +73,13 @@ TEST_CASE("rows are read in order, and lost rows are marked in their place") {
   Ring ring(2);
   Task task;
   CHECK(ring.peek() == Next::none);
-  CHECK(bring(ring));
-  CHECK(bring(ring));
-  CHECK_FALSE(bring(ring));  // there is no room
-  task.take(ring, 1);
-  CHECK(bring(ring));
+  CHECK(produce(ring));
+  CHECK(produce(ring));
+  CHECK_FALSE(produce(ring));  // the ring is full
+  task.read(ring, 1);
+  CHECK(produce(ring));
   ring.drop(2);
-  task.take(ring, 100);
+  task.read(ring, 100);
   CHECK(task.seen == "rrlrll");
   CHECK(ring.peek() == Next::none);
   CHECK(ring.lost() == 3);
@@ -88,7 +88,7 @@ TEST_CASE("rows are read in order, and lost rows are marked in their place") {
   ring.drop();
   ring.end();
   CHECK_FALSE(task.has_ended);
-  task.take(ring, 100);
+  task.read(ring, 100);
   CHECK(task.seen == "rrlrlll");
   CHECK(task.has_ended);
   CHECK(task.is_right);
@@ -99,24 +99,24 @@ TEST_CASE("rows ahead of the next one are free while the ring has room") {
   for (const uint32_t rows : {1U, 2U, 3U, 7U}) {
     Ring ring(rows);
     Task task;
-    // From every place in the ring.
+    // From every position in the ring.
     for (uint32_t round = 0; round < 2 * rows + 1; ++round) {
       for (uint32_t full = 0; full <= rows; ++full) {
         INFO("rows ", rows, ", full ", full);
         for (uint32_t ahead = 0; ahead < rows + 2; ++ahead)
           CHECK((ring.free_row(ahead) != nullptr) == (full + ahead < rows));
         if (full + 1 < rows) {
-          // The next row will be the row that is ahead now.
+          // The next row will be the row that is filled ahead.
           void* const then = ring.free_row(1);
-          CHECK(bring(ring));
+          CHECK(produce(ring));
           CHECK(ring.free_row() == then);
         } else {
-          CHECK(bring(ring) == (full < rows));
+          CHECK(produce(ring) == (full < rows));
         }
       }
-      task.take(ring, 100);
-      CHECK(bring(ring));  // so that the next round begins a place further
-      task.take(ring, 100);
+      task.read(ring, 100);
+      CHECK(produce(ring));  // so the next round begins one position later
+      task.read(ring, 100);
     }
     CHECK(task.is_right);
     CHECK(ring.block.is_intact());
@@ -132,7 +132,7 @@ TEST_CASE("contiguous rows begin at aligned addresses") {
 
 TEST_CASE("a ring refuses zero rows, empty rows and too little memory, and then changes nothing") {
   Ring ring(3);
-  CHECK(bring(ring));
+  CHECK(produce(ring));
   Block block(RowRing::bytes_for(row_bytes, 3) - 1);
   CHECK(ring.start(row_bytes, 3, block.memory()) == Status::too_little_memory);
   CHECK(ring.start(row_bytes, 3, {}) == Status::too_little_memory);
@@ -152,18 +152,18 @@ TEST_CASE("a ring that is not started has no room and no rows") {
   CHECK(ring.peek() == Next::none);
 }
 
-TEST_CASE("a ring that is started again begins anew") {
+TEST_CASE("a restarted ring is empty") {
   Ring ring(3);
-  for (int row = 0; row < 2; ++row) CHECK(bring(ring));
+  for (int row = 0; row < 2; ++row) CHECK(produce(ring));
   ring.drop();
   ring.end();
   Task before;
-  before.take(ring, 1);
+  before.read(ring, 1);
   REQUIRE(ring.start(row_bytes, 3, ring.block.memory()) == Status::ok);
   CHECK(ring.peek() == Next::none);
   Task task;
-  for (int row = 0; row < 3; ++row) CHECK(bring(ring));
-  task.take(ring, 100);
+  for (int row = 0; row < 3; ++row) CHECK(produce(ring));
+  task.read(ring, 100);
   CHECK(task.seen == "rrr");
   CHECK(task.is_right);
 }
@@ -176,17 +176,17 @@ TEST_CASE("any interleaving of writer and reader preserves the rows") {
     std::string came;
     for (int step = 0; step < 20000; ++step) {
       if (chance.below(2) == 0) {
-        task.take(ring, 1 + chance.below(rows + 2));
+        task.read(ring, 1 + chance.below(rows + 2));
       } else if (chance.below(8) == 0) {
         const uint32_t lost = chance.below(4);
         ring.drop(lost);
         came.append(lost, 'l');
       } else {
-        came += bring(ring) ? 'r' : 'l';
+        came += produce(ring) ? 'r' : 'l';
       }
     }
     ring.end();
-    task.take(ring, UINT32_MAX);
+    task.read(ring, UINT32_MAX);
     CHECK(task.has_ended);
     CHECK(task.seen == came);
     CHECK(task.is_right);
@@ -198,7 +198,7 @@ TEST_CASE("any interleaving of writer and reader preserves the rows") {
 
 namespace {
 
-// The state of a ring of two rows: how many rows came and were passed.
+// The state of a ring of two rows: the numbers of arrived and passed rows.
 struct State {
   uint32_t came, passed;
 };
@@ -210,18 +210,18 @@ struct Situation {
   std::string came;
 
   explicit Situation(const State& state) {
-    // No memory is allocated later.
+    // No memory is allocated after this.
     came.reserve(16);
     task.seen.reserve(16);
     for (uint32_t i = 0; i < state.came; ++i) come();
-    task.take(ring, state.passed);
+    task.read(ring, state.passed);
   }
-  void come() { came += bring(ring) ? 'r' : 'l'; }
+  void come() { came += produce(ring) ? 'r' : 'l'; }
 };
 
 void check(Situation& situation) {
   situation.ring.end();
-  situation.task.take(situation.ring, 100);
+  situation.task.read(situation.ring, 100);
   CHECK(situation.task.has_ended);
   CHECK(situation.task.seen == situation.came);
   CHECK(situation.task.is_right);
@@ -236,7 +236,7 @@ TEST_CASE("an interrupt after any instruction of the task delivers its rows") {
       for (uint64_t at = 1;; at += reference::step(3)) {
         Situation situation(state);
         const bool came = reference::interrupted(
-            at, [&] { situation.task.take(situation.ring, 2); },
+            at, [&] { situation.task.read(situation.ring, 2); },
             [&] {
               for (uint32_t row = 0; row < rows; ++row) situation.come();
               if (rows > 1) situation.ring.end();
@@ -259,7 +259,7 @@ TEST_CASE(
             situation.ring.drop();
             situation.came += 'l';
           },
-          [&] { situation.task.take(situation.ring, 3); });
+          [&] { situation.task.read(situation.ring, 3); });
       check(situation);
       if (!came) break;
     }
@@ -275,8 +275,8 @@ TEST_CASE("a second thread writes rows faster and slower than they are read") {
     std::thread sensor([&ring, &came] {
       test::Chance chance(3);
       for (uint32_t row = 0; row < all; ++row) {
-        came += bring(ring) ? 'r' : 'l';
-        // Now a burst, and now one by one.
+        came += produce(ring) ? 'r' : 'l';
+        // Alternates between bursts and single rows.
         if (row % 64 >= 16 && chance.below(2) == 0)
           while (ring.free_row() == nullptr) std::this_thread::yield();
       }
@@ -284,7 +284,7 @@ TEST_CASE("a second thread writes rows faster and slower than they are read") {
     });
     Task task;
     while (!task.has_ended)
-      if (task.take(ring, 100) == 0) std::this_thread::yield();
+      if (task.read(ring, 100) == 0) std::this_thread::yield();
     sensor.join();
     CHECK(task.seen == came);
     CHECK(task.is_right);

@@ -1,4 +1,4 @@
-// Rows of bits beside a comparison sample by sample.
+// Rows of bits, compared with a comparison sample by sample.
 #include <discmc/front/threshold_row.hpp>
 
 #include "oracle/stream.hpp"
@@ -8,7 +8,7 @@ using namespace discmc;
 
 namespace {
 
-// The bits of samples, with the old bits behind them.
+// Returns the bits of samples, followed by the old bits.
 template <class IsOn>
 std::vector<uint8_t> bits_of(uint32_t count, IsOn is_on) {
   std::vector<uint8_t> bits((count + 7) / 8);
@@ -18,7 +18,7 @@ std::vector<uint8_t> bits_of(uint32_t count, IsOn is_on) {
   return bits;
 }
 
-// Mostly far below the threshold, so that there are blocks that are off, of any length.
+// Most samples are far below the threshold, so there are off blocks of any length.
 template <class Sample>
 std::vector<Sample> some_samples(size_t count, int32_t threshold, uint64_t seed) {
   test::Chance chance(seed);

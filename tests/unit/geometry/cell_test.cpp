@@ -1,4 +1,4 @@
-// Statements about one cell and its loops, and about two cells that share a face; by exhaustion.
+// Statements about one cell and its loops, and about two cells with a common face; by exhaustion.
 #include <discmc/geometry/cell.hpp>
 
 #include "test.hpp"
@@ -23,7 +23,7 @@ std::vector<CellEdge> cell_edges() {
   return edges;
 }
 
-// Where the surface crosses the cell's edges.
+// The edges of the cell that the surface crosses.
 std::set<CellPoint> crossings(Configuration configuration) {
   std::set<CellPoint> points;
   for (const CellEdge& edge : cell_edges())
@@ -60,7 +60,8 @@ Vertex inward(int face) {
   return {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
 }
 
-// A face whose on corners are opposite: there are two ways to join its four crossings.
+// A face with on corners at opposite ends of a diagonal: its four crossings can be joined in two
+// ways.
 bool is_ambiguous(Configuration configuration, int face) {
   const detail::derive::FaceCorners ring = detail::derive::face_corners(face);
   const bool first = is_on(configuration, ring.corner[0]);
@@ -69,7 +70,7 @@ bool is_ambiguous(Configuration configuration, int face) {
          first != is_on(configuration, ring.corner[3]);
 }
 
-// Which of a face's corners lie on the left of a link, seen from inside the cell.
+// Returns the corners of a face on the left of a link, seen from inside the cell.
 std::vector<int> corners_on_left(int face, const LoopLink& link) {
   const Vertex from = position(link.from);
   const Vertex along = position(link.to) - from;
@@ -90,7 +91,7 @@ LinkSet links_on(int face, Configuration configuration, const Vertex& shift) {
   return set;
 }
 
-// All configurations of two cells side by side: 12 voxels.
+// All configurations of two adjacent cells: 12 voxels.
 template <typename Check>
 void for_each_pair(int axis, Check check) {
   const int bit = 1 << axis;
@@ -228,8 +229,8 @@ TEST_CASE("each link has on corners on its left and off corners on its right, se
       const std::vector<int> left = corners_on_left(face, link);
       for (const int corner : detail::derive::face_corners(face).corner) {
         const bool on_left = std::find(left.begin(), left.end(), corner) != left.end();
-        // On an ambiguous face, the other on corner lies beyond the link, and has a link of its
-        // own.
+        // On an ambiguous face, the other on corner is on the right of the link, and has a link of
+        // its own.
         if (on_left || !is_ambiguous(configuration, face))
           CHECK(is_on(configuration, corner) == on_left);
       }

@@ -1,7 +1,7 @@
-// The facet tables, which the compiler derives, derived again at run time. Both must be equal, and
+// Derives the facet tables again at run time. They equal the tables that the compiler derived, and
 // the coverage of the source can be measured.
 //
-// The source is compiled in here; the library's object of it is then not linked.
+// Includes the source, so the linker omits the library's object of it.
 #include <discmc/geometry/facet_table.cpp>
 
 #include "test.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 TEST_CASE("facet tables derived at run time equal those of the compiler") {
   Derived again{};
-  again = derive_all();  // as an initialised table, the compiler would derive it
+  again = derive_all();  // a constant would be derived by the compiler
   for (int c = 0; c <= configurations; ++c) CHECK(again.table.first[c] == facet_table.first[c]);
   for (int i = 0; i < FacetTable::total; ++i) CHECK(again.table.facet[i] == facet_table.facet[i]);
   for (int facet = 0; facet < 256; ++facet) {

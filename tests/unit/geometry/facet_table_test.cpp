@@ -1,5 +1,5 @@
-// Which facets there are, their numbers, and their symmetry; by exhaustion. The compiler counts
-// them (facet_table.cpp), and properties/tables_test compares them with the loops of their cells.
+// The existing facets, their numbers and their symmetry; by exhaustion. The compiler counts them
+// (facet_table.cpp), and properties/tables_test compares them with the loops of their cells.
 #include <discmc/geometry/facet_table.hpp>
 
 #include "oracle/cell_symmetry.hpp"
@@ -28,7 +28,7 @@ bool has_centroid(Facet facet) {
   return std::find(ring.begin(), ring.end(), centroid) != ring.end();
 }
 
-// All facets that are, whether or not a configuration is given.
+// All facets, whether or not a configuration has them.
 template <typename Check>
 void for_each_facet(Check check) {
   for (int code = 0; code < facet_codes; ++code) {
@@ -38,13 +38,13 @@ void for_each_facet(Check check) {
   }
 }
 
-// A facet's ring, started where its smallest point is: rings that are the same compare as such.
+// A ring of a facet, starting at its smallest point, so that equal rings compare equal.
 std::vector<CellPoint> normalised(std::vector<CellPoint> ring) {
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
   return ring;
 }
 
-// A facet as geometry, so that a map of the cell can move it.
+// A facet as geometry, so that a symmetry of the cell can map it.
 using Placed = std::pair<Incidence, std::vector<CellPoint>>;
 
 std::set<Placed> placed_facets(int configuration) {
@@ -87,7 +87,7 @@ TEST_CASE("shapes are numbered as promised") {
     const Vertex n = incidence_normal(incidence);
     const Shape shape = shape_of(facet);
     if (!has_centroid(facet)) {
-      // On the on side of the centroid the plane cuts off what the normal points away from.
+      // Normals point from on to off: a cut-off part opposite to the normal is on, shape 0.
       CHECK(shape == (dot_product(n, position(ring_of(facet)[0]) - middle) < 0 ? 0 : 1));
       return;
     }

@@ -26,14 +26,14 @@ double length(const Direction3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
 
-// Units: degrees. By the sine and the cosine, as neither alone is exact everywhere.
+// Uses sine and cosine, because neither alone is exact everywhere. Units: degrees.
 double angle(const Direction3& a, const Direction3& b) {
   const Direction3 sine = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
                            a[0] * b[1] - a[1] * b[0]};
   return std::atan2(length(sine), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * degrees;
 }
 
-// A vector whose components have 1 to `bits` bits, each its own number, and any sign.
+// A vector with components of up to `bits` bits, each of any size and sign.
 LongVector vector_of(Chance& chance, uint32_t bits) {
   const auto component = [&] {
     const auto size = static_cast<int64_t>(chance.next() >> (64 - 1 - chance.below(bits)));
@@ -61,7 +61,7 @@ TEST_CASE("a unit normal deviates at most 0.006 degrees and has length one") {
     for (int64_t y = -20; y <= 20; ++y)
       for (int64_t x = -20; x <= 20; ++x) check({x, y, z});
   for (int i = 0; i < 1000000; ++i) check(vector_of(chance, 62));
-  CHECK(worst > 0.001);  // or nothing was measured
+  CHECK(worst > 0.001);  // otherwise no case was measured
   CHECK(worst < 0.006);
   CHECK(worst_length < 1e-4);
 }
@@ -111,7 +111,7 @@ TEST_CASE("an octahedral normal deviates at most 0.96 degrees, and half of them 
 TEST_CASE("the octahedron's rim belongs to its upper half, and its lowest corner is unique") {
   CHECK(octahedral_normal({0, 0, 1}) == OctahedralNormal{128, 128});
   CHECK(octahedral_normal({1, 0, 0}) == OctahedralNormal{255, 128});
-  CHECK(octahedral_normal({1, 1, 0}) == OctahedralNormal{192, 192});  // folded it would be 191
+  CHECK(octahedral_normal({1, 1, 0}) == OctahedralNormal{192, 192});  // folding would make it 191
   CHECK(octahedral_normal({-1, -1, 0}) == OctahedralNormal{64, 64});
   CHECK(octahedral_normal({0, 0, -1}) == OctahedralNormal{255, 255});
 }
@@ -123,7 +123,7 @@ TEST_CASE("every octahedral normal decodes to a unit vector and encodes back") {
       const UnitNormal n = unit_normal(told);
       REQUIRE(length(direction_of(n)) == doctest::Approx(16384).epsilon(1e-4));
       const OctahedralNormal again = octahedral_normal({n.x, n.y, n.z});
-      // On the rim and its folds two places stand for one direction.
+      // On the rim and its folds, two codes represent one direction.
       if (again != told) REQUIRE(unit_normal(again) == n);
     }
 }
@@ -165,7 +165,7 @@ TEST_CASE("extreme spacings and vectors do not overflow") {
   CHECK(even.x > 0);
   const AxisWeights steep = axis_weights({1, least, most});
   CHECK(steep.x > 0);
-  CHECK(steep.y == -1);  // rounded it would be 0
+  CHECK(steep.y == -1);  // rounding would make it 0
   CHECK(unit_normal(weighted({0, 1, 0}, steep)) == UnitNormal{0, -16384, 0});
   CHECK(unit_normal(weighted({1, 1, 1}, steep)) == UnitNormal{16384, 0, 0});
   const AxisWeights mirrored = axis_weights({-5, 5, 5});

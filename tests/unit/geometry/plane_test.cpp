@@ -1,4 +1,4 @@
-// Chains in their plane: where runs lead.
+// Chains in their plane: the ends of runs.
 #include <discmc/chain.hpp>
 
 #include "incidences.hpp"

@@ -1,4 +1,4 @@
-// From chains to polygons: simple rings against a naive splitter, areas, corners.
+// From chains to polygons: simple rings, compared with a naive splitter; areas; corners.
 #include <discmc/polygon.hpp>
 
 #include "oracle/agreement.hpp"
@@ -14,8 +14,8 @@ using Rings = std::vector<Ring>;
 
 Rings split(Ring ring) {
   Rings rings;
-  // Memory of exactly the size asked for.
-  std::vector<uint32_t> scratch(2 * ring.size(), UINT32_MAX);  // any contents will do
+  // Memory of exactly the requested size.
+  std::vector<uint32_t> scratch(2 * ring.size(), UINT32_MAX);  // with arbitrary contents
   const auto take = [](void* context, const Vertex* vertices, uint32_t count) {
     static_cast<Rings*>(context)->emplace_back(vertices, vertices + count);
   };
@@ -23,7 +23,7 @@ Rings split(Ring ring) {
   return rings;
 }
 
-// The first vertex that comes a second time closes a loop; cut it out and begin anew.
+// A vertex that recurs closes a loop. Cuts the loop out, and starts again.
 Rings split_naively(Ring ring) {
   Rings rings;
   for (size_t end = 1; end < ring.size();) {
@@ -63,7 +63,7 @@ Ring flat(const std::vector<std::pair<int, int>>& points) {
   return ring;
 }
 
-// A closed walk on a small torus of vertices: it touches itself nearly everywhere.
+// A closed walk on a small torus of vertices. It touches itself nearly everywhere.
 Ring random_walk(uint32_t seed, uint32_t length, int32_t extent) {
   Ring ring;
   for (uint32_t i = 0; i < length; ++i) {
@@ -168,7 +168,7 @@ TEST_CASE("the area of a ring is exact over the whole range of coordinates") {
   constexpr int32_t far = 65531;
   const Ring ring = {{-1, -1, 0}, {far, -1, 0}, {far, far, 0}, {-1, far, 0}};
   CHECK(twice_area(up, ring.data(), 4) == int64_t{2} * (far + 1) * (far + 1));
-  // A wall as high as a scan is deep.
+  // A wall as high as the deepest scan.
   constexpr int32_t top = 2147483645;
   const Incidence right = incidence_of(Vertex{1, 0, 0});
   const Ring wall = {{0, -1, -1}, {0, far, -1}, {0, far, top}, {0, -1, top}};

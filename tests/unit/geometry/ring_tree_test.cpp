@@ -1,4 +1,4 @@
-// Rings by their places, and what lies inside a ring.
+// Rings sorted by position, and the rings inside a ring.
 #include <discmc/geometry/ring_tree.hpp>
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ using test::for_each_incidence;
 
 namespace {
 
-// A convex ring, once round through all directions.
+// A convex ring, with one run per direction.
 std::vector<Run> round_ring(Incidence incidence) {
   std::vector<Run> runs;
   const Direction count = direction_count(incidence);
@@ -22,7 +22,7 @@ std::vector<Run> round_ring(Incidence incidence) {
   return runs;
 }
 
-// By the nearest side before the point, on its line.
+// Uses the nearest side before the point, on its line.
 bool is_inside(Incidence incidence, Vertex at, const std::vector<Run>& runs,
                const ProjectedPoint& point) {
   bool is_inside = false;
@@ -42,7 +42,7 @@ bool is_inside(Incidence incidence, Vertex at, const std::vector<Run>& runs,
   return is_inside;
 }
 
-// Where a point is seen from a side of a convex ring: to its left, in the plane.
+// Whether a point is on the left of a side of a convex ring.
 bool is_left_of_all(Incidence incidence, Vertex at, const std::vector<Run>& runs,
                     const Vertex& eighths) {
   for (const Run run : runs) {
@@ -69,7 +69,7 @@ bool are_on_one_plane(const Ring& a, const Ring& b) {
          plane_offset(a.incidence, a.start) == plane_offset(b.incidence, b.start);
 }
 
-// On one of a few planes, where rings are close together.
+// A ring on one of a few planes, so rings are close together.
 Ring any_ring(Chance& chance) {
   static const Incidence incidences[] = {incidence_of({0, 0, 1}), incidence_of({1, 0, 1}),
                                          incidence_of({-1, 1, 1}), incidence_of({0, -1, 0})};
@@ -83,7 +83,7 @@ Ring any_ring(Chance& chance) {
   return ring;
 }
 
-// The tree's links are its own, so they may change. Access to number 0 fails, as no ring has it.
+// The tree may change only its links. Access to number 0 fails, because no ring has it.
 struct Rings {
   std::vector<Ring> ring{1};
   mutable std::map<uint32_t, std::pair<uint32_t, uint32_t>> links;
@@ -137,7 +137,7 @@ TEST_CASE("a ring contains the points left of all its sides, even on the ray of 
     const int half = direction_count(incidence) / 2;
     int insides = 0;
     for (int i = 0; i < 3000; ++i) {
-      // Points of the plane in steps of links, or parts of them: often as high as a vertex.
+      // Points of the plane in steps of links, or parts of steps; many are level with a vertex.
       Vertex eighths{8 * start.x, 8 * start.y, 8 * start.z};
       const int scale = i % 2 == 0 ? 8 : 1;
       for (const int direction : {0, half / 2}) {
@@ -146,7 +146,7 @@ TEST_CASE("a ring contains the points left of all its sides, even on the ray of 
                                 40 / scale);
         eighths = eighths + Vertex{by * step.x, by * step.y, by * step.z};
       }
-      // A point on a side may count as inside or not.
+      // A point on a side may count as inside or outside.
       bool is_on_side = false;
       Vertex at = start;
       for (const Run run : runs) {

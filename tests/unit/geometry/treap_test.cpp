@@ -1,4 +1,4 @@
-// A treap against a sorted list, and its shape.
+// A treap, compared with a sorted list; and its shape.
 #include <discmc/geometry/treap.hpp>
 
 #include "oracle/stream.hpp"
@@ -9,7 +9,7 @@ using test::Chance;
 
 namespace {
 
-// Nodes 1, 1 + stride and so on, sorted by their keys. Access to no_slot fails.
+// Nodes 1, 1 + stride, ..., sorted by their keys. Access to no_slot fails.
 class Nodes {
  public:
   explicit Nodes(std::vector<int32_t> keys, uint32_t stride = 1)

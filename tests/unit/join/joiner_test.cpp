@@ -1,4 +1,4 @@
-// The joiner: cut regions are joined whole, in any order and memory, for any refusals of the sink.
+// The joiner: cut regions are joined, in any order and memory, for any refusals of the sink.
 // Invalid events do no harm.
 #include "oracle/join.hpp"
 #include "oracle/loose.hpp"
@@ -15,8 +15,8 @@ namespace {
 
 using Kind = Event::Kind;
 
-// Two castles side by side, of walls around walls: on top and below, rings of a plane lie within
-// one another.
+// Two castles side by side, with walls around walls. Their tops and bottoms have nested rings on
+// one plane.
 BitVolume walls_around_walls(uint32_t side, uint32_t depth) {
   return volume_of({2 * side + 1, side, depth}, [side](int64_t x, int64_t y, int64_t) {
     const int64_t column = x % (side + 1);
@@ -25,7 +25,7 @@ BitVolume walls_around_walls(uint32_t side, uint32_t depth) {
   });
 }
 
-// A plate full of holes, and pits that touch one another and the rim.
+// A plate full of holes, and pits that touch each other and the rim.
 BitVolume plate(uint32_t side) {
   BitVolume volume({side, side, 4});
   for (int64_t y = 0; y < side; ++y)
@@ -84,13 +84,13 @@ Events fragment_of(Incidence incidence, const Vertex& start, Direction came,
   return script.fragment_end().events;
 }
 
-// Once round, from the direction 0 on.
+// The runs of a round in all directions, from direction 0 on.
 std::vector<Run> square_runs(uint32_t side) {
   return {Run::straight(0, side), Run::straight(2, side), Run::straight(4, side),
           Run::straight(6, side)};
 }
 
-// A square as one fragment, which is a ring already: an outer one, or the hole of the same shape.
+// A square as one closed fragment: an outer ring, or a hole of the same shape.
 Events square_fragment(const Vertex& corner, uint32_t side, bool is_hole) {
   std::vector<Run> runs = square_runs(side);
   if (!is_hole) return fragment_of(test::up, corner, 6, runs);
@@ -99,14 +99,14 @@ Events square_fragment(const Vertex& corner, uint32_t side, bool is_hole) {
   return fragment_of(test::up, corner, 4, runs);
 }
 
-// The region whose outer ring is such a square, and its hole another.
+// A region whose outer ring and hole are such squares.
 test::Script square_region(const Vertex& corner, uint32_t side) {
   test::Script script;
   script.region(test::up).square(corner, side);
   return script;
 }
 
-// A corner moved inwards by a number of links.
+// Returns a corner moved inwards by this many links.
 Vertex inwards(const Vertex& corner, int32_t links) {
   const Vertex diagonal = direction_vector(test::up, 0) + direction_vector(test::up, 2);
   return corner + Vertex{links * diagonal.x, links * diagonal.y, links * diagonal.z};
@@ -137,7 +137,7 @@ size_t fragments_in(const Pieces& pieces) {
 
 }  // namespace
 
-// ---- what comes out is whole ----
+// ---- joined regions ----
 
 TEST_CASE("the loose fragments of a sweep are joined to its regions") {
   Chance chance(1);
@@ -161,7 +161,7 @@ TEST_CASE("loose fragments in any order are joined to the regions") {
       INFO(surface.name, ", round ", round);
       const Cuts cuts = cuts_of(chance, 60);
       Pieces pieces = cut(surface.regions, cuts);
-      // What came whole comes after the fragments.
+      // Whole regions come after the fragments.
       shuffle(pieces, cuts.below);
       std::stable_partition(pieces.begin(), pieces.end(),
                             [](const Piece& piece) { return piece.is_fragment(); });
@@ -208,7 +208,7 @@ TEST_CASE("in sweep order a region is delivered as soon as its last fragment arr
   }
 }
 
-// Squares within one another on one plane, from the outermost in: outer, hole, outer, hole...
+// Nested squares on one plane, from the outermost in: outer ring, hole, outer ring, hole, ...
 class Nest {
  public:
   static constexpr int32_t depth = 6;
@@ -219,9 +219,9 @@ class Nest {
   Events fragment(int32_t ring) const {
     return square_fragment(corner(ring), side(ring), is_hole(ring));
   }
-  /// What an outer ring begins, without its end.
+  /// The events of an outer ring, without its end.
   test::Script begin_region(int32_t ring) const { return square_region(corner(ring), side(ring)); }
-  /// With the hole, if it has one.
+  /// With the hole, if the region has one.
   Events region(int32_t ring, bool has_hole) const {
     test::Script script = begin_region(ring);
     if (has_hole) {
@@ -254,7 +254,7 @@ TEST_CASE("nested rings are assigned the right holes in any order and despite lo
             if (ring != whole && lost.count(ring) == 0) pieces.push_back({nest.fragment(ring)});
           shuffle(pieces, cuts.below);
           Events events = events_of(pieces);
-          // What is whole comes after the fragments.
+          // Whole regions come after the fragments.
           if (whole != none) append(events, nest.region(whole, false));
           const Joined joined = join_all(events, {InputOrder::any, {10, 50}});
           for (int32_t ring = 0; ring < Nest::depth; ring += 2) {
@@ -286,7 +286,7 @@ TEST_CASE("a joiner's result does not depend on the initial contents of its memo
   }
 }
 
-// ---- short memory ----
+// ---- little memory ----
 
 TEST_CASE("fragments passed on by a joiner with too little memory are joined by a second one") {
   Chance chance(6);
@@ -348,12 +348,13 @@ TEST_CASE("the peaks of a joiner are the exact capacities that suffice") {
 
 namespace {
 
-// Whether a joiner's table has the key near its beginning, however large it is.
+// Whether a joiner's table has the key near its beginning, for any size of the table.
 bool is_crowded(const detail::join::WaitingKey& key) {
   return detail::join::WaitingTable::hash_of(key) >> 27 == 0;
 }
 
-// Joins what crowds the table of the first joiner: it runs short, though it has room for more.
+// Events that crowd the table of the first joiner. It runs out of buckets, although it has room for
+// more chains.
 void check_crowd(const Events& events, const JoinPlan& plan, uint64_t regions) {
   const Joined first = join_all(events, plan);
   CHECK(first.status == Status::too_little_memory);
@@ -437,7 +438,8 @@ TEST_CASE("fragments that cannot be joined can be dropped") {
 
 namespace {
 
-// What a sink for whole regions gets of an extractor with the least memory. bytes: of the joiner's.
+// The events of an extractor with the minimum memory, as a sink for whole regions receives them.
+// bytes: of the joiner.
 struct WholeRegions {
   WholeRegions(const BitVolume& volume, size_t bytes, const EventLog::Refuses& refuses = {})
       : log(refuses) {
@@ -537,7 +539,7 @@ TEST_CASE(
 
 namespace {
 
-// The expected result if some fragments are lost: whole rings, and chains between two gaps.
+// The expected result after the loss of some fragments: whole rings, and chains between two gaps.
 size_t count_chains(const Pieces& left) {
   const auto has = [&](const Piece& wanted, size_t place) {
     return std::any_of(left.begin(), left.end(), [&](const Piece& piece) {
@@ -586,7 +588,7 @@ TEST_CASE("a region is right if all its fragments arrive, and the other fragment
       }
 }
 
-TEST_CASE("a fragment lost halfway is discarded, and the sink is informed if it received a part") {
+TEST_CASE("a fragment lost halfway is discarded, and reported if the sink received a part") {
   const Events whole = square_region({1, 0, 0}, 3).region_end().events;
   Events events = fragment_of(test::up, {1, 0, 0}, 2, {Run::straight(2, 3)});
   events.back() = test::Script().lost().events[0];
@@ -602,7 +604,7 @@ TEST_CASE("a fragment lost halfway is discarded, and the sink is informed if it 
 }
 
 TEST_CASE("the loss of a passed-on fragment is reported to the sink") {
-  // Room for one run: everything is passed on.
+  // Room for one run, so every fragment is passed on.
   Events events = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
   append(events, fragment_of(test::up, {7, 0, 0}, 6, {Run::straight(0, 3)}));
   events.back() = test::Script().lost().events[0];
@@ -685,7 +687,7 @@ TEST_CASE("several streams end with a single finish event") {
   Statistics expected = sum;
   ++expected.regions;
   ++expected.rings;
-  expected.fragments = 0;  // the others never came
+  expected.fragments = 0;  // the others were lost
   CHECK(joined.events.back() == finish_of(expected, 7, true));
   CHECK(count(joined.events, Kind::finish) == 1);
 }
@@ -744,7 +746,7 @@ TEST_CASE("after a finish event the joiner is empty and has all of its memory") 
     Events joined = join_all(events, {InputOrder::sweep, capacities}).events;
     Events expected = half;
     expected.push_back(events[half.size()]);
-    expected.back() = joined.at(half.size());  // its counts are another test's
+    expected.back() = joined.at(half.size());  // other tests check its counts
     REQUIRE(joined.size() >= expected.size());
     CHECK(std::equal(expected.begin(), expected.end(), joined.begin()));
     joined.erase(joined.begin(), joined.begin() + static_cast<std::ptrdiff_t>(expected.size()));
@@ -754,7 +756,7 @@ TEST_CASE("after a finish event the joiner is empty and has all of its memory") 
   append(both, rest);
   CHECK(join_after_half(both, {2, 10}) == square_region({1, 0, 0}, 2).region_end().events);
   CHECK(join_after_half(rest, {2, 10}) == rest);
-  // One fragment more than there is room for.
+  // One fragment more than the room.
   Events many;
   for (const int32_t z : {2, 4, 6})
     append(many, fragment_of(test::up, {1, 0, z}, 6, {runs[0], runs[1]}));
@@ -854,7 +856,7 @@ TEST_CASE("a region interrupted by a fragment leaves the holes for the next regi
 }
 
 TEST_CASE("a region interrupted by the finish event takes no holes") {
-  // The hole lies beside it, so that a ray meets two of its sides.
+  // The hole lies beside it, and its ray meets two sides.
   const Events hole = square_fragment(inwards({1, 0, 0}, 2) + Vertex{-60, 0, 0}, 2, true);
   const Events whole = Nest({1, 0, 0}).region(0, false);
   const auto end = whole.begin() + 2;  // before its first run
@@ -888,7 +890,7 @@ TEST_CASE("a ring that turns neither way is no region") {
 TEST_CASE("a long side is a single run up to the maximal length of a run") {
   constexpr uint32_t most = Run::max_length;
   const auto rings = [&](uint32_t before, uint32_t behind) {
-    // A side in two, the rest of a triangle in one.
+    // One side in two runs, then the rest of the triangle.
     Events events = fragment_of(test::up, {1, 0, 0}, 0, {Run::straight(0, behind)});
     const Vertex step = direction_vector(test::up, 0);
     const Vertex start = Vertex{1, 0, 0} + Vertex{step.x * static_cast<int32_t>(behind),
@@ -918,7 +920,7 @@ TEST_CASE("coordinates wrap for any start and length of fragments") {
       for (uint32_t count = chance.below(9); count > 0; --count)
         runs.push_back(Run::from_code(static_cast<uint32_t>(chance.next()) >> chance.below(32)));
       append(events, fragment_of(incidence, start, static_cast<Direction>(chance.below(9)), runs));
-      // A ring that wraps, and may get any holes of its plane.
+      // A ring that wraps; it may get any hole of its plane.
       test::Script script;
       script.region(incidence).ring(start);
       for (const Run run : runs) script.run(run);

@@ -1,4 +1,4 @@
-// Which waiting rings lie inside another ring: by looking at each of them, too.
+// The waiting rings inside another ring, compared with a search of all rings.
 #include <discmc/join/waiting_rings.hpp>
 
 #include "oracle/stream.hpp"
@@ -10,7 +10,7 @@ using test::Chance;
 
 namespace {
 
-// Chains in memory of their own. Slot 0 is memory too, so a mistake finds an empty chain there.
+// Chains in memory of their own. Slot 0 exists, so an incorrect access finds an empty chain.
 class Waiting {
  public:
   Waiting() : chains_(401), runs_(4001) {
@@ -26,7 +26,7 @@ class Waiting {
     rings_.insert(held_, ring);
     return ring;
   }
-  /// The same ring, of two chains: the second has this many runs.
+  /// The same ring in two chains. The second has this many runs.
   void insert_joined(Incidence incidence, Vertex at, const std::vector<Run>& runs, size_t count) {
     const uint32_t ring = held_.add(incidence, at, runs.back().direction());
     const size_t cut = runs.size() - count;
@@ -51,7 +51,7 @@ class Waiting {
     rings_.settle(held_, is_left, [&](uint32_t ring) { found.insert(ring); });
     return found;
   }
-  /// Takes out this many outer rings.
+  /// Removes this many outer rings.
   std::vector<uint32_t> remove_outers(size_t count) {
     std::vector<uint32_t> taken;
     while (taken.size() < count) taken.push_back(rings_.remove_outer(held_));
@@ -70,8 +70,8 @@ class Waiting {
   WaitingRings rings_;
 };
 
-// A convex ring from any of its corners on, of some of the directions: also with sharp corners
-// below and above.
+// A convex ring with some of the directions, starting at any of its corners; also with sharp
+// corners at top and bottom.
 std::vector<Run> any_convex(Incidence incidence, Chance& chance) {
   const auto half = static_cast<uint32_t>(direction_count(incidence) / 2);
   std::vector<uint32_t> lengths(half);
@@ -113,7 +113,7 @@ int64_t highest(Incidence incidence, Vertex at, const std::vector<Run>& runs) {
 
 enum class Place { outside, inside, on_a_side };
 
-// The sides before a point, on its line: an odd number if it lies inside.
+// The sides before a point on its line. Their number is odd if the point lies inside.
 Place place_of(const ProjectedPoint& point, Incidence incidence, Vertex at,
                const std::vector<Run>& runs) {
   Place place = Place::outside;

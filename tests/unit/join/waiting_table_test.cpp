@@ -1,4 +1,4 @@
-// The joiner's hash table: bounded windows, and a map to compare with.
+// The joiner's hash table: bounded windows, compared with a map.
 #include <discmc/join/waiting_table.hpp>
 
 #include "oracle/stream.hpp"
@@ -10,8 +10,7 @@ using test::Chance;
 
 namespace {
 
-// A table in memory of exactly its size, filled with what an arena may hold, and the keys that its
-// values lead to.
+// A table in memory of exactly its size with arbitrary contents, and the keys of its values.
 class Table {
  public:
   explicit Table(uint32_t buckets) : hashes_(buckets, 0xA5A5A5A5), values_(buckets, 0x5A5A5A5A) {
@@ -25,7 +24,7 @@ class Table {
     keys_.pop_back();
     return false;
   }
-  /// How many values were inserted when the key's was, or 0.
+  /// The number of values inserted so far when the key was inserted, or 0.
   uint32_t find(const WaitingKey& key) const {
     return table_.find(key, [this](uint32_t value, const WaitingKey& wanted) {
       return keys_.at(value - 1) == wanted;
@@ -41,12 +40,12 @@ class Table {
   WaitingTable table_;
 };
 
-// Whatever value it is asked for.
+// Returns a key for any value.
 bool any_value(uint32_t, const WaitingKey&) {
   return true;
 }
 
-// Neighbours, as the ends of chains are.
+// Neighbouring keys, like those of the ends of chains.
 WaitingKey key_at(uint32_t i) {
   const auto number = static_cast<int32_t>(i);
   return {{number % 37, number / 37 % 41, number / 1517},
@@ -168,7 +167,7 @@ TEST_CASE("replace() changes the given value among several under one key") {
   CHECK(table.table().find(key, any_value) == 1);
   table.table().remove(key, 1);
   CHECK(table.table().find(key, any_value) == 3);
-  table.table().remove(key, 1);  // is not there
+  table.table().remove(key, 1);  // is missing
   CHECK(table.table().find(key, any_value) == 3);
 }
 

@@ -18,7 +18,7 @@ struct DevicePlan {
   const char* name;
   uint32_t key_slice_interval;
   uint8_t surface_count;
-  size_t most;  // bytes that the output takes at a time
+  size_t most;  // bytes that the output accepts at a time
 };
 
 constexpr DevicePlan plans[] = {{"one key slice", {}, 1, SIZE_MAX},
@@ -27,7 +27,7 @@ constexpr DevicePlan plans[] = {{"one key slice", {}, 1, SIZE_MAX},
                                 {"several surfaces", {2}, 3, SIZE_MAX},
                                 {"an output that lags behind", {3}, 2, 5}};
 
-// A slice of it fills more than a packet.
+// A slice of this volume fills more than a packet.
 BitVolume noise() {
   return reference::random({67, 40, 5}, 128, 1);
 }
@@ -35,7 +35,7 @@ BitVolume smooth() {
   return centred_ball(21);
 }
 
-// A device that sends slices, in memory of its own, and its checkpoints.
+// A device that sends slices, with memory of its own, and its checkpoints.
 class SliceDevice {
  public:
   SliceDevice(const BitVolume& volume, const DevicePlan& plan)
@@ -52,7 +52,7 @@ class SliceDevice {
     require_ok(encoder.start(test::slice_config(header_, key_slice_interval_), block_.memory(),
                              store.output()));
   }
-  // Pushes rows up to that of a number, counted through all slices.
+  // Pushes rows up to a row number, counted through all slices.
   void scan_to(uint32_t end) {
     uint32_t row = encoder.slices() * volume_.height + encoder.rows();
     for (; row < end; ++row) {

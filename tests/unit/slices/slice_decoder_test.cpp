@@ -1,4 +1,4 @@
-// The slice decoder alone: refusals, reports, and packets made by hand.
+// The slice decoder alone: refusals, reports, and handwritten packets.
 #include <discmc/slice_decoder.hpp>
 
 #include "oracle/slice_stream.hpp"
@@ -42,17 +42,17 @@ class Code {
 
   Code& note(uint32_t told) {
     writer_.code_bit(surfaces_.note(), true);
-    writer_.even(detail::slices::note_bits, told);
+    writer_.raw_bits(detail::slices::note_bits, told);
     return *this;
   }
   Code& note(RowNote told) { return note(static_cast<uint32_t>(told)); }
-  // Rows of the surfaces in turn.
+  // The surfaces have their rows in turn.
   Code& row(const Bytes& bits) { return begin_row(bits).rest_of_row(); }
   Code& rows_off(uint32_t count) {
     for (; count > 0; --count) row(Bytes(bytes_of_row));
     return *this;
   }
-  // A row up to and with the first voxel that differs from the row before. Its rest follows.
+  // A row up to the first voxel that differs from the row before. The rest follows.
   Code& begin_row(const Bytes& bits) {
     if (surface_ == 0) {
       writer_.code_bit(surfaces_.note(), false);
@@ -71,22 +71,22 @@ class Code {
     surfaces_.next_row();
     return *this;
   }
-  // One that never came, in a slice that has begun.
+  // A missing row within a slice.
   Code& repeated_row() {
     note(RowNote::repeated);
-    for (detail::slices::Surface& surface : surfaces_) surface.rows.repeat();
+    for (detail::slices::CodedSurface& surface : surfaces_) surface.rows.repeat();
     surfaces_.next_row();
     return *this;
   }
-  // A run that ends early is coded with the length of one that does not.
+  // A run that ends early is coded with the length of a complete one.
   Code& row_with_a_run_too_long() {
     writer_.code_bit(surfaces_.note(), false);
     writer_.code_bit(surfaces_[0].model[run_of_a_row], false);
-    writer_.even(6, size.width);
+    writer_.raw_bits(6, size.width);
     return *this;
   }
   Bytes end() { return note(RowNote::end).finish(); }
-  // Ends a code without an end mark; the next code continues it.
+  // Ends a code without an end mark. The next code continues it.
   Bytes finish() {
     bytes_.resize(writer_.range.finish());
     const Bytes code = bytes_;
@@ -96,7 +96,7 @@ class Code {
 
  private:
   static constexpr size_t bytes_of_row = (size.width + 7) / 8;
-  // The context of 40 voxels, which have six bits, up to the end of the row.
+  // The context of 40 voxels, whose number has six bits, to the end of the row.
   static constexpr uint32_t run_of_a_row = detail::slices::context::run + 2 * (6 - 1) + 1;
 
   void begin_code() {
@@ -107,7 +107,7 @@ class Code {
   Bytes memory_, bytes_;
   detail::slices::RowWriter writer_;
   detail::slices::RowCode row_;
-  detail::slices::Surfaces surfaces_;
+  detail::slices::CodedSurfaces surfaces_;
   uint32_t rows_told_ = 0;
   uint32_t surface_ = 0;
 };
@@ -118,7 +118,7 @@ Bytes little_endian(uint64_t value, int count) {
   return bytes;
 }
 
-// What a packet holds: the number of a key slice, bytes of code, where it is cut.
+// The contents of a packet: the number of a key slice, bytes of code, and a cut.
 Bytes payload_of(const std::vector<Bytes>& parts) {
   return joined(parts);
 }
@@ -129,7 +129,7 @@ Bytes cut(uint32_t row, uint32_t left) {
   return payload_of({little_endian(row, 4), little_endian(left, 2)});
 }
 
-// A stream of one header and packets by hand.
+// A stream of a header and handwritten packets.
 class Stream {
  public:
   explicit Stream(uint8_t surfaces = 1) : surfaces_(surfaces) {
@@ -150,7 +150,7 @@ class Stream {
   Stream& slices(uint8_t bits, const std::vector<Bytes>& parts) {
     return add(detail::wire::PacketKind::slices, bits, payload_of(parts));
   }
-  // Its digest is wrong: so no stream by hand is complete.
+  // The digest is wrong, so no handwritten stream is complete.
   Stream& trailer(uint64_t rows) {
     return add(detail::wire::PacketKind::slices_trailer, 0,
                payload_of({little_endian(size.depth, 4), Bytes{0}, little_endian(rows, 8),
@@ -167,7 +167,7 @@ class Stream {
   const Bytes& bytes() const { return bytes_; }
 
  private:
-  // What follows a payload would be bits of a row, were it read.
+  // Bits after the payload would be voxels of a row if they were read.
   static constexpr uint16_t scan = 0x8000;
 
   uint8_t surfaces_;
@@ -175,8 +175,8 @@ class Stream {
   uint32_t number_ = 0;
 };
 
-// Checks that a whole but invalid packet delivers nothing and counts as unreadable. The slices
-// after it are ignored, and the next key slice is decoded.
+// Checks that a complete but invalid packet delivers nothing and counts as unreadable. The
+// following slices are ignored, and the next key slice is decoded.
 void check_unreadable(uint8_t bits, const std::vector<Bytes>& parts) {
   const ReceivedRows received = Stream()
                                     .slices(bits, parts)
@@ -199,18 +199,21 @@ TEST_CASE("slices that no encoder produces are refused") {
   const Bytes code = Code().row(Bytes(5, 0x55)).rows_off(2).end();
   REQUIRE(code.size() > 6);
   check_unreadable(SliceBits::key | SliceBits::last, {key(0), code});  // not the first of its code
-  check_unreadable(of_key, {Bytes{0, 0, 0}});                          // no whole number
+  check_unreadable(of_key, {Bytes{0, 0, 0}});                          // an incomplete number
   check_unreadable(of_key, {key(Limits::max_slices), code});           // deeper than any scan
-  check_unreadable(of_key | SliceBits::cut, {key(0), Bytes{0x80, 0, 0, 0, 1}});  // no whole cut
+  check_unreadable(of_key | SliceBits::cut,
+                   {key(0), Bytes{0x80, 0, 0, 0, 1}});  // an incomplete cut
   check_unreadable(of_key | SliceBits::cut, {key(0)});
   check_unreadable(of_key | SliceBits::cut, {key(0), Bytes{0x80}});
-  check_unreadable(SliceBits::key | SliceBits::first | SliceBits::cut,  // cut, but not over
-                   {key(0), code, cut(0, 1)});
+  check_unreadable(
+      SliceBits::key | SliceBits::first | SliceBits::cut,  // cut, although more follows
+      {key(0), code, cut(0, 1)});
   check_unreadable(SliceBits::key | SliceBits::first, {key(0), Bytes{1, 2, 3}});  // ends too soon
-  check_unreadable(of_key, {key(0), Code().note(RowNote::repeated).end()});  // of what is before
+  check_unreadable(
+      of_key, {key(0), Code().note(RowNote::repeated).end()});  // repeats a row before the slice
   check_unreadable(of_key, {key(0), Code().row_with_a_run_too_long().end()});
   for (uint32_t note = 3; note < 8; ++note)
-    check_unreadable(of_key, {key(0), Code().note(note).end()});  // notes of no meaning
+    check_unreadable(of_key, {key(0), Code().note(note).end()});  // undefined notes
 }
 
 TEST_CASE("a code without an end, or with bytes after its end, is refused at that point") {
@@ -351,7 +354,7 @@ TEST_CASE("a trailer that counts fewer rows than arrived reports none lost") {
   }
 }
 
-TEST_CASE("a slice decoder that is started again forgets everything") {
+TEST_CASE("a restarted slice decoder is independent of the previous stream") {
   const BitVolume volume = reference::random({40, 9, 8}, 60, 4);
   SlicePlan plan{{2}};
   plan.surface_count = 2;
@@ -504,20 +507,20 @@ TEST_CASE("slice_decoder_bytes() is exactly enough for any width") {
   }
 }
 
-TEST_CASE("give_memory() succeeds only for a started slice decoder short of memory") {
+TEST_CASE("set_memory() succeeds only for a started slice decoder short of memory") {
   const Bytes stream = encode_slices(reference::random(size, 60, 3));
   Bytes memory(SliceDecoder::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
   SliceDecoder decoder;
   RowLog log(false);
-  CHECK(decoder.give_memory(all) == Status::not_started);
+  CHECK(decoder.set_memory(all) == Status::not_started);
   reference::require_ok(decoder.start({}, make_row_sink(log)));
-  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(decoder.set_memory(all) == Status::ok);
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::too_little_memory);
   CHECK(decoder.finish() == Status::too_little_memory);
-  CHECK(decoder.give_memory({memory.data(), memory.size() - 1}) == Status::too_little_memory);
+  CHECK(decoder.set_memory({memory.data(), memory.size() - 1}) == Status::too_little_memory);
   CHECK(log.starts.empty());
-  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(decoder.set_memory(all) == Status::ok);
   const size_t taken = frames_of(stream).front().size();
   CHECK(decoder.push(stream.data() + taken, stream.size() - taken).status == Status::ok);
   CHECK(decoder.report().is_complete());

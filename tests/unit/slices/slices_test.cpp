@@ -12,7 +12,7 @@ using Kind = RowEvent::Kind;
 
 namespace {
 
-// That all rows of a volume have arrived, and then the end.
+// Checks that all rows of a volume have arrived, and then the end.
 void check_rows(const BitVolume& volume, const ReceivedRows& received) {
   CHECK(received.status == Status::ok);
   CHECK(received.report.is_complete());
@@ -45,7 +45,7 @@ BitVolume ball(uint32_t size) {
 
 // Encodes or decodes the first slice of a volume.
 template <class Coder>
-void tell_key_slice(Coder& coder, BitVolume& volume) {
+void code_key_slice(Coder& coder, BitVolume& volume) {
   const Limits limits{volume.width, volume.height};
   Bytes memory(SliceDecoder::minimum_bytes(limits));
   Arena arena({memory.data(), memory.size()});
@@ -173,19 +173,19 @@ TEST_CASE("every row before a flush arrives") {
 }
 
 TEST_CASE("bits with a carry pending over all bytes are decoded unchanged") {
-  // Noise, then the bits that a decoder reads from zeros. While these are encoded, the number stays
-  // at or just below one that ends in zeros. Its bytes are 255 or 0, decided by the last carry.
+  // Noise, then the bits that a decoder reads from zeros. While they are encoded, the number stays
+  // at or just below one that ends in zeros. Its bytes are 255 or 0; the last carry decides.
   uint32_t cuts = 0;
   for (uint32_t seed = 1; seed < 20; ++seed) {
     BitVolume noise = reference::random({300, 12, 1}, 128, seed);
     Bytes number(2000);
     detail::slices::RowWriter written{RangeEncoder(number.data(), number.size())};
-    tell_key_slice(written, noise);
+    code_key_slice(written, noise);
     const auto noisy = static_cast<std::ptrdiff_t>(written.range.final_bytes());
     std::fill(number.begin() + noisy, number.end(), uint8_t{0});
     BitVolume volume({300, 36, 1});
     detail::slices::RowReader read{RangeDecoder(number.data(), number.size())};
-    tell_key_slice(read, volume);
+    code_key_slice(read, volume);
     REQUIRE(std::equal(noise.on.begin(), noise.on.begin() + 3000, volume.on.begin()));
     for (const Bytes& frame : frames_of(encode_slices(volume))) {
       const uint8_t kind = packet_of(frame).kind;
@@ -378,8 +378,8 @@ TEST_CASE("a run longer than its row is refused") {
       code.code_bit(model[detail::slices::context::note], false);
       const uint32_t bits_of_width = width == 3 ? 2 : 3;
       code.code_bit(model[detail::slices::context::run + 2 * (bits_of_width - 1) + 1], false);
-      code.even(bits_of_width, length);
-      code.even(32, 0x5A5A5A5A);
+      code.raw_bits(bits_of_width, length);
+      code.raw_bits(32, 0x5A5A5A5A);
       packet.payload.resize(4 + code.range.finish());
       frames[1] = frame_of(packet);
       const ReceivedRows received = decode_slices(joined(frames), {width, 1, 1});
@@ -397,7 +397,7 @@ TEST_CASE("after a change of output the next slice is a key slice, and only that
   device.encoder.set_output(other.output());
   push_rows(device.encoder, &volume.on[144 * 3 + 30], 144 * 9 - 30, 1000);
   reference::require_ok(device.encoder.finish());
-  Bytes keys;  // the first of them stood in a packet that was not sent yet
+  Bytes keys;  // the first of them was in a packet that had not been sent
   for (const Bytes& frame : frames_of(other.bytes)) {
     const Packet packet = packet_of(frame);
     if (packet.kind >= 16 && (packet.kind & detail::wire::SliceBits::key) != 0)
@@ -463,7 +463,7 @@ TEST_CASE("with only key slices the encoder needs four rows of bits") {
   CHECK(SliceEncoder::minimum_bytes({{256, 256}, {}, 1}) == 5 * 9 * 4 + rest);
   CHECK(SliceEncoder::minimum_bytes({{256, 256}, {}, 2}) == 259 * 9 * 4 + rest);
   CHECK(SliceEncoder::minimum_bytes({{256, 1}}) == 5 * 9 * 4 + rest);
-  // A decoder must expect other slices too, and delivers a row of bits.
+  // A decoder must expect other slices, too, so it delivers a row of bits.
   CHECK(SliceDecoder::minimum_bytes({256, 256}) == 259 * 9 * 4 + rest + 32 + red_zone_bytes);
 }
 
@@ -482,7 +482,7 @@ TEST_CASE("streams of slices are as short as documented") {
 
 namespace {
 
-// Samples of a volume with an inside: the further in, the higher.
+// Samples of a volume with a gradient: the further inside, the higher.
 Bytes onion(const reference::Size& size) {
   Bytes samples;
   test::Chance chance(3);
@@ -513,7 +513,7 @@ StreamHeader header_of_surfaces(const reference::Size& size,
   return header;
 }
 
-// Every fifth row is skipped where `skips`.
+// Every fifth row is skipped if `skips`.
 Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, uint32_t key_slice_interval,
                       bool skips = false, size_t bytes_at_once = 0) {
   Line line(bytes_at_once);
@@ -602,13 +602,13 @@ TEST_CASE("a stream contains one to four surfaces, on channels up to 63") {
 
 namespace {
 
-// Encodes or decodes rows of bits, with all surfaces in sequence.
+// Encodes or decodes rows of bits, all surfaces in sequence.
 template <class Coder>
-void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
+void code_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
   const Limits limits{header.width, header.height};
   reference::Block block(SliceEncoder::minimum_bytes({limits, {}, 0, header.surface_count}));
   Arena arena(block.memory());
-  detail::slices::Surfaces surfaces;
+  detail::slices::CodedSurfaces surfaces;
   surfaces.start(arena, header, detail::slices::rows_kept(limits.height, false));
   surfaces.clear();
   surfaces.begin_key_slice();
@@ -638,12 +638,12 @@ std::vector<Bytes> rows_on_the_edge(const StreamHeader& header, uint32_t seed) {
     for (uint8_t& byte : row) byte = chance.byte();
   Bytes number(8000);
   detail::slices::RowWriter written{RangeEncoder(number.data(), number.size())};
-  tell_rows(written, header, rows);
+  code_rows(written, header, rows);
   REQUIRE(written.range.final_bytes() > 600);
   std::fill(number.begin() + 230, number.end(), uint8_t{0});
   for (Bytes& row : rows) std::fill(row.begin(), row.end(), uint8_t{0});
   detail::slices::RowReader read{RangeDecoder(number.data(), number.size())};
-  tell_rows(read, header, rows);
+  code_rows(read, header, rows);
   return rows;
 }
 
@@ -744,7 +744,7 @@ TEST_CASE(
   for (const uint32_t height : {1U, 2U})
     for (const bool skips : {false, true}) {
       INFO("height ", height, ", skips ", skips);
-      // With every key slice a packet ends, which this line does not take.
+      // A packet ends with every key slice, which this line does not accept.
       LimitedLine line;
       const StreamHeader header = header_of_surfaces({9, height, 2}, {1});
       StartedSliceEncoder encoder(header, line.output(), 1);
@@ -775,7 +775,7 @@ TEST_CASE("a restarted scan is independent of the previous one, wherever that st
   const uint32_t key_slice_interval = 2;
   const Bytes expected = encode_surfaces(header, samples, key_slice_interval);
   REQUIRE(expected.size() > 1500);
-  // The line breaks off in one packet after another, most of which end within a row.
+  // The line fails in one packet after another, most of which end within a row.
   for (size_t room = 0; room < 1500; room += 125) {
     CAPTURE(room);
     LimitedLine broken{room};
@@ -792,7 +792,7 @@ TEST_CASE("a restarted scan is independent of the previous one, wherever that st
     CHECK(encoder.bytes() == 0);
     reference::require_ok(encoder.push(samples.data(), 41 * 17 * 6).status);
     reference::require_ok(encoder.finish());
-    // Only a zero, which ends the frame that was cut.
+    // Only a zero byte, which ends the cut frame.
     Bytes expected_now(room > 0 ? 1 : 0);
     expected_now.insert(expected_now.end(), expected.begin(), expected.end());
     CHECK(line.bytes == expected_now);
@@ -805,7 +805,7 @@ TEST_CASE("a skipped row waits for the line before its encoding begins") {
   const BitVolume volume = reference::random({1, height, 1}, 128, 14);
   const StreamHeader header = header_of(volume);
   const Limits limits{1, height};
-  // The rows with which a packet is full.
+  // The rows that fill a packet.
   std::vector<uint32_t> full;
   Device device(limits);
   for (uint32_t row = 0; row < height; ++row) {

@@ -1,4 +1,4 @@
-// The surface decoder alone: started again, given memory, and streams that end where none should.
+// The surface decoder alone: restarts, given memory, and streams with wrong ends.
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
@@ -18,7 +18,7 @@ const BitVolume& volume() {
   return rough;
 }
 
-// With rows that are lost on the way.
+// With rows lost on the way.
 Bytes slices_with_a_loss() {
   std::vector<Bytes> frames = frames_of(encode_slices(volume(), {{2}}));
   REQUIRE(frames.size() > 4);
@@ -56,7 +56,7 @@ TEST_CASE("a surface decoder that is started again forgets everything") {
   };
   SurfaceDecoder decoder;
   for (const Bytes& before : streams)
-    for (int most = 0; most < 1000; most += most < 30 ? 1 : 5) {  // also amid lost rows
+    for (int most = 0; most < 1000; most += most < 30 ? 1 : 5) {  // also within lost rows
       CAPTURE(most);
       for (int i = 0; i < 2; ++i) {
         Taker taker{most};
@@ -78,20 +78,20 @@ TEST_CASE("a surface decoder that was refused memory can be restarted without me
   CHECK(decoded(decoder, {}, regions()) == decode(regions()).events);
 }
 
-TEST_CASE("give_memory() succeeds only for a started surface decoder short of memory") {
+TEST_CASE("set_memory() succeeds only for a started surface decoder short of memory") {
   const Bytes stream = encode_slices(volume());
   Bytes memory(Receiver::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
   SurfaceDecoder decoder;
   EventLog log;
-  CHECK(decoder.give_memory(all) == Status::not_started);
+  CHECK(decoder.set_memory(all) == Status::not_started);
   reference::require_ok(decoder.start({}, make_sink(log)));
-  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(decoder.set_memory(all) == Status::ok);
   const Decoded refused = decoder.push(stream.data(), stream.size());
   CHECK(refused.status == Status::too_little_memory);
   CHECK(refused.bytes == frames_of(stream).front().size());
-  CHECK(decoder.give_memory({nullptr, memory.size()}) == Status::too_little_memory);
-  CHECK(decoder.give_memory(all) == Status::ok);
+  CHECK(decoder.set_memory({nullptr, memory.size()}) == Status::too_little_memory);
+  CHECK(decoder.set_memory(all) == Status::ok);
   CHECK(log.starts.empty());
   const Decoded rest = decoder.push(stream.data() + refused.bytes, stream.size() - refused.bytes);
   CHECK(rest.status == Status::ok);
@@ -115,7 +115,7 @@ TEST_CASE("the surface is closed at the end of the scan, whatever the trailer co
   SlicePlan plan;
   plan.flush_every = 4;
   const std::vector<Bytes> whole = frames_of(encode_slices(volume(), plan));
-  // Scans of two slices and of one and a half: every four rows have a packet.
+  // Scans of two slices, and of one and a half. Every four rows have a packet.
   for (const uint32_t rows : {16U, 12U})
     for (const uint8_t is_abandoned : {uint8_t{0}, uint8_t{1}}) {
       INFO("rows ", rows, ", is_abandoned ", is_abandoned);
@@ -123,7 +123,7 @@ TEST_CASE("the surface is closed at the end of the scan, whatever the trailer co
       Packet trailer = packet_of(whole.back());
       REQUIRE(trailer.is(detail::wire::PacketKind::slices_trailer));
       trailer.number = static_cast<uint8_t>(frames.size());
-      trailer.payload[4] = is_abandoned;  // behind the slices
+      trailer.payload[4] = is_abandoned;  // after the number of slices
       detail::wire::put_long(trailer.payload.data() + 4 + 1, rows);
       frames.push_back(frame_of(trailer));
       BitVolume scanned({12, 8, 2});
@@ -143,7 +143,7 @@ struct Scan {
   uint8_t surfaces;
 };
 
-// Rows, some of them missing, with each slice a key slice.
+// Rows, some of them missing. Each slice is a key slice.
 std::vector<Bytes> frames_with_skips(const Scan& scan) {
   StreamHeader header;
   header.width = scan.width;
@@ -168,7 +168,7 @@ std::vector<Bytes> frames_with_skips(const Scan& scan) {
   return frames_of(line.bytes);
 }
 
-// What an extractor makes of the rows of one channel that a slice decoder hands out.
+// Extracts the rows of one channel that a slice decoder delivers.
 Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
   struct Sweep {
     SinkResult accept(const RowEvent& event) {

@@ -1,4 +1,4 @@
-// The stuffing of frames: every length, every position of a zero, and bytes that are not stuffed.
+// The stuffing of frames: every length, every position of a zero, and invalid bytes.
 #include <discmc/stream/cobs.hpp>
 
 #include "oracle/stream.hpp"
@@ -10,7 +10,7 @@ using test::Chance;
 
 namespace {
 
-// A block on the heap of exactly the frame's length, so that sanitizers see a byte beyond.
+// A block on the heap of exactly the frame's length, so that sanitizers detect a byte beyond.
 Bytes stuffed(const Bytes& plain) {
   Bytes frame(plain.size() + 2, 0xEE);
   std::copy(plain.begin(), plain.end(), frame.begin() + 1);
@@ -82,8 +82,8 @@ TEST_CASE("invalid frames decode to nothing") {
   };
   CHECK(count_of({}) == 0);
   CHECK(count_of({1}) == 0);
-  CHECK(count_of({3, 5}) == 0);        // points beyond the end
-  CHECK(count_of({2, 5, 200}) == 0);   // so does the second
+  CHECK(count_of({3, 5}) == 0);        // the first distance points beyond the end
+  CHECK(count_of({2, 5, 200}) == 0);   // the second distance points beyond the end
   CHECK(count_of({1, 0, 1, 1}) == 0);  // a zero within a frame
   CHECK(count_of({3, 5, 6}) == 2);
 }

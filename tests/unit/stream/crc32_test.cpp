@@ -1,4 +1,4 @@
-// The checksum of a packet, against its published check value and against its definition.
+// The checksum of a packet, compared with its published check value and its definition.
 #include <doctest/doctest.h>
 #include <discmc/stream/crc32.hpp>
 
@@ -18,7 +18,7 @@ uint32_t check_of(const std::vector<uint8_t>& bytes) {
   return crc32(bytes.data(), bytes.size());
 }
 
-// Bit by bit, as the standard words it: a division by the polynomial, lowest bit first.
+// Bit by bit, as in the standard: a division by the polynomial, lowest bit first.
 uint32_t by_definition(const std::vector<uint8_t>& bytes) {
   uint32_t remainder = 0xFFFFFFFF;
   for (const uint8_t byte : bytes)
@@ -58,7 +58,7 @@ TEST_CASE("the checksum is computed at compile time") {
 
 TEST_CASE("the table-driven checksum, four bits at a time, equals the bitwise one") {
   discmc::detail::derive::Crc32Table<4> table{};
-  table = discmc::detail::derive::crc32_table<4>();  // at run time, unlike an initialisation
+  table = discmc::detail::derive::crc32_table<4>();  // at run time, not by the compiler
   for (size_t count = 0; count < 300; ++count) {
     uint32_t crc = 0xFFFFFFFF;
     for (const uint8_t byte : pattern(count)) {

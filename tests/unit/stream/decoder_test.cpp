@@ -1,4 +1,4 @@
-// The decoder alone: refusals, skipped packets, reports, and packets made by hand.
+// The decoder alone: refusals, skipped packets, reports, and handwritten packets.
 #include "oracle/stream_samples.hpp"
 #include "test.hpp"
 
@@ -8,13 +8,13 @@ using Kind = Event::Kind;
 using detail::stream::Record;
 using detail::stream::RecordKind;
 using detail::wire::PacketKind;
-namespace rows = detail::stream::rows;
+namespace contexts = detail::stream::contexts;
 
 namespace {
 
 constexpr uint8_t records_kind = static_cast<uint8_t>(PacketKind::records);
 
-// A stream of one header, these payloads of records, and no trailer.
+// A stream of a header and these payloads of records, without a trailer.
 Bytes stream_of(const std::vector<Bytes>& payloads) {
   Bytes stream = frames_of(encode(Script().finish().events)).front();
   uint8_t number = 1;
@@ -25,7 +25,7 @@ Bytes stream_of(const std::vector<Bytes>& payloads) {
   return stream;
 }
 
-// The frame of a header that follows the given numbers of packets and pieces.
+// The frame of a header that reports these numbers of packets and pieces.
 Bytes header_after(uint32_t packets, uint64_t pieces) {
   Packet header = packet_of(stream_of({}));
   header.number = static_cast<uint8_t>(packets);
@@ -35,38 +35,38 @@ Bytes header_after(uint32_t packets, uint64_t pieces) {
   return frame_of(header);
 }
 
-template <class Tell>
-Bytes payload_of(Tell tell) {
+template <class Code>
+Bytes payload_of(Code code) {
   Payload payload;
-  tell(payload.model);
+  code(payload.model);
   return payload.finish();
 }
 
 template <class Model>
-void tell_layer(Model& model, uint32_t slice) {
+void code_layer(Model& model, uint32_t slice) {
   model.record_kind(RecordKind::layer);
   model.layer(slice);
 }
 
-// The symbols of rings across z that turn so at their second, third and last corner.
+// The symbols of rings across z with these turns at the second, third and last corner.
 constexpr uint32_t corners_symbol(uint32_t second, uint32_t third, uint32_t last) {
   return 1 + (second - 1) + 3 * (third - 1) + 9 * (last - 1);
 }
 constexpr uint32_t corners_of_square = corners_symbol(2, 2, 2);
 constexpr uint32_t corners_of_triangle = corners_symbol(3, 3, 2);
 
-struct ToldRun {
+struct CodedRun {
   Direction direction;
   uint32_t length;
 };
-using ToldRuns = std::vector<ToldRun>;
+using CodedRuns = std::vector<CodedRun>;
 
-// The runs of a chain, behind its first direction.
+// The runs of a chain, after its first direction.
 template <class Model>
-void tell_runs(Model& model, const ToldRuns& runs) {
+void code_runs(Model& model, const CodedRuns& runs) {
   for (size_t i = 0; i < runs.size(); ++i) {
     if (i == 0)
-      model.length(rows::lengths, runs[i].direction, runs[i].length);
+      model.length(contexts::lengths, runs[i].direction, runs[i].length);
     else
       model.run(Run::straight(runs[i].direction, runs[i].length));
     model.is_last_run(i + 1 == runs.size());
@@ -84,7 +84,7 @@ struct Part {
 };
 
 template <class Model>
-void tell_part(Model& model, const Part& part, const ToldRuns& runs) {
+void code_part(Model& model, const Part& part, const CodedRuns& runs) {
   model.record_kind(RecordKind::part);
   Record record;
   record.incidence = part.incidence;
@@ -95,7 +95,7 @@ void tell_part(Model& model, const Part& part, const ToldRuns& runs) {
   if (part.has_ring) model.start({1, 0, 0});
   if (part.is_fragment && !part.continues) model.chain_direction(part.came);
   if (!runs.empty()) model.chain_direction(runs[0].direction);
-  tell_runs(model, runs);
+  code_runs(model, runs);
 }
 
 // A region up to the data of its only ring, which begins with direction 0.
@@ -109,16 +109,17 @@ void begin_ring(Model& model, uint32_t corners = 0, uint32_t from = 2) {
   model.begin_chain(0);
 }
 
-// Behind a direction a turn of 2 in a plane across z, and a run that is longer than one link.
+// A turn of 2 in a plane across z, and a run longer than one link, after a direction.
 template <class Model>
-void tell_long_run(Model& model, Direction direction, uint32_t length) {
-  model.coder().symbol(rows::of_class(2) + rows::by_direction + 8 * rows::turn, 2 * 2 + 1);
-  model.length(rows::longer, direction, length - 1);
+void code_long_run(Model& model, Direction direction, uint32_t length) {
+  model.coder().symbol(contexts::of_class(2) + contexts::by_direction + 8 * contexts::turn,
+                       2 * 2 + 1);
+  model.length(contexts::longer, direction, length - 1);
 }
 
-// A region of squares, which lie upon one another.
+// A region of squares at the same position.
 template <class Model>
-void tell_squares(Model& model, uint32_t rings) {
+void code_squares(Model& model, uint32_t rings) {
   model.record_kind(RecordKind::holed);
   for (uint32_t ring = 0; ring < rings; ++ring) {
     model.start({1, 0, 0});
@@ -131,48 +132,48 @@ void tell_squares(Model& model, uint32_t rings) {
   }
 }
 
-// A whole fragment: the direction by which it comes, and its runs; from its end against the order.
+// A whole fragment: its incoming direction and its runs, in reverse if coded from its end.
 template <class Model>
-void tell_fragment(Model& model, Direction came, const ToldRuns& runs) {
+void code_fragment(Model& model, Direction came, const CodedRuns& runs) {
   model.record_kind(RecordKind::forwards);
   model.start({1, 0, 0});
   model.incidence(up);
   model.chain_direction(came);
   model.chain_direction(runs[0].direction);
-  tell_runs(model, runs);
+  code_runs(model, runs);
 }
 
 template <class Model>
-void tell_fragment_backwards(Model& model, const ToldRuns& runs, Direction came) {
+void code_fragment_backwards(Model& model, const CodedRuns& runs, Direction came) {
   model.record_kind(RecordKind::backwards);
   model.start({1, 0, 0});
   model.incidence(up);
   model.chain_direction(runs[0].direction);
-  tell_runs(model, runs);
+  code_runs(model, runs);
   model.chain_direction(came);
 }
 
-// A record that no encoder writes: of an incidence that there is not.
+// A record that no encoder writes: its incidence does not exist.
 template <class Model>
-void tell_unreadable(Model& model) {
+void code_unreadable(Model& model) {
   model.record_kind(RecordKind::part);
-  model.even(4, 1);
-  model.even(5, 31);
+  model.raw_bits(4, 1);
+  model.raw_bits(5, 31);
 }
 
 // A region across z that continues in a later packet.
 template <class Model>
-void tell_first_part(Model& model) {
-  tell_part(model, {false, false, true}, {{0, 2}});
+void code_first_part(Model& model) {
+  code_part(model, {false, false, true}, {{0, 2}});
 }
 
 // The rest of that region.
 template <class Model>
-void tell_last_part(Model& model) {
-  tell_part(model, {true, true, false}, {{2, 2}});
+void code_last_part(Model& model) {
+  code_part(model, {true, true, false}, {{2, 2}});
 }
 
-// What the first part is delivered as.
+// The events of the first part.
 Script first_part() {
   Script script;
   script.region(up).ring({1, 0, 0}).run(0, 2);
@@ -180,22 +181,22 @@ Script first_part() {
 }
 
 Bytes first_payload() {
-  return payload_of([](auto& model) { tell_first_part(model); });
+  return payload_of([](auto& model) { code_first_part(model); });
 }
 Bytes last_payload() {
-  return payload_of([](auto& model) { tell_last_part(model); });
+  return payload_of([](auto& model) { code_last_part(model); });
 }
 Bytes frame_at(uint32_t number, const Bytes& payload, uint16_t regions = 0) {
   return frame_of({records_kind, static_cast<uint8_t>(number), regions, payload});
 }
 
 // A payload of one unreadable part, written by hand, between two marks.
-template <class Tell>
-void check_unreadable(Tell tell) {
+template <class Code>
+void check_unreadable(Code code) {
   const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-    tell_layer(model, 1);
-    tell(model);
-    tell_layer(model, 2);
+    code_layer(model, 1);
+    code(model);
+    code_layer(model, 2);
   })}));
   CHECK(arrival.events == Script().layer(1).events);
   CHECK(arrival.report.damaged_packets == 1);
@@ -285,7 +286,7 @@ TEST_CASE("a restarted decoder neither continues a region nor reports it as lost
 }
 
 TEST_CASE("a decoder delivers the start of every stream first, once the sink accepts it") {
-  const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
+  const Bytes stream = stream_of({payload_of([](auto& model) { code_layer(model, 4); })});
   struct Late {
     SinkResult accept(const Event& event) {
       if (event.kind == Event::Kind::start && refusals-- > 0) return SinkResult::busy;
@@ -362,7 +363,7 @@ TEST_CASE("packets of other channels and scans are ignored and counted as foreig
   CHECK(decoder.report().foreign_packets == 3);
   CHECK(decoder.report().packets == 1);
   CHECK(decoder.header().scan == 3);
-  // The second of two surfaces from channel 4 on.
+  // The second of two surfaces, which begin with channel 4.
   const Bytes two = frame(9, 4 | 1 << 6);
   REQUIRE(decoder.start(make_sink(log), 5) == Status::ok);
   REQUIRE(decoder.push(two.data(), two.size()).status == Status::ok);
@@ -475,7 +476,7 @@ TEST_CASE("a late header of another stream does not replace the first header") {
   StreamHeader other = any_header();
   other.width = 77;
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).finish().events));
-  frames.pop_back();  // the trailer, after which nothing is heard
+  frames.pop_back();  // the trailer, after which everything is ignored
   frames.push_back(frames_of(encode(Script().finish().events, other)).front());
   const Received arrival = decode(joined(frames));
   CHECK(arrival.header.width == any_header().width);
@@ -500,7 +501,7 @@ TEST_CASE("a later header reports all packets and regions lost before it") {
 TEST_CASE(
     "a header that reports more lost packets ends the open region, unless a gap preceded the "
     "region") {
-  // The number of a packet wraps at 256: a loss of 256 packets is invisible, one of 257 shows.
+  // The number of a packet wraps at 256: a loss of 256 packets is invisible, a loss of 257 is not.
   for (const bool gap_is_seen : {false, true}) {
     const uint32_t number = gap_is_seen ? 258 : 257;
     const Received arrival =
@@ -522,7 +523,7 @@ TEST_CASE("a region continues after a header, whatever was lost before the regio
     CAPTURE(missed);
     EventLog log;
     REQUIRE(decoder.start(make_sink(log)) ==
-            Status::ok);  // anew, though it has heard a header before
+            Status::ok);  // again, although it has a header already
     const Bytes heard = joined({frame_at(missed, first_payload()), header_after(missed + 1, 0),
                                 frame_at(missed + 2, last_payload())});
     REQUIRE(decoder.push(heard.data(), heard.size()).status == Status::ok);
@@ -560,7 +561,7 @@ TEST_CASE("a header counts as lost only regions that neither arrived nor were co
 }
 
 TEST_CASE("without a header, a repeated packet is still counted as repeated") {
-  const Bytes frame = frame_at(200, payload_of([](auto& model) { tell_layer(model, 3); }));
+  const Bytes frame = frame_at(200, payload_of([](auto& model) { code_layer(model, 3); }));
   const Received arrival = decode(joined({frame, frame}));
   CHECK(arrival.events == Script().layer(3).events);
   CHECK(arrival.report.lost_packets == 200);
@@ -584,15 +585,15 @@ TEST_CASE("packets of minimal and maximal length are accepted, and longer ones a
 }
 
 TEST_CASE("a region does not continue after an unreadable packet") {
-  const Bytes unreadable = payload_of([](auto& model) { tell_unreadable(model); });
+  const Bytes unreadable = payload_of([](auto& model) { code_unreadable(model); });
   CHECK(decode(stream_of({first_payload(), unreadable, last_payload()})).events ==
         first_part().lost().events);
 }
 
 TEST_CASE("the longest run is read, in parts and in a fragment") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
-    tell_part(model, {false, true, true}, {{0, Run::max_length}, {2, Run::max_length}});
-    tell_fragment(model, 0, {{2, Run::max_length}});
+    code_part(model, {false, true, true}, {{0, Run::max_length}, {2, Run::max_length}});
+    code_fragment(model, 0, {{2, Run::max_length}});
   })}));
   const Events expected = Script()
                               .region(up)
@@ -609,16 +610,16 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
 
 TEST_CASE("a fragment coded backwards begins where its runs lead back to") {
   CHECK(decode(stream_of({payload_of([](auto& model) {
-          tell_fragment(model, 2, {{4, 10}, {6, 20}});
+          code_fragment(model, 2, {{4, 10}, {6, 20}});
         })}))
             .events ==
         Script().fragment(up, {1, 0, 0}, 2).run(4, 10).run(6, 20).fragment_end().events);
-  // Its vertex is the last one before the end.
+  // The vertex is the last one before the end.
   const Vertex first = direction_vector(up, 4);
   const Vertex second = direction_vector(up, 6);
   const Vertex start{1 - 10 * first.x - 19 * second.x, -10 * first.y - 19 * second.y, 0};
   CHECK(decode(stream_of({payload_of([](auto& model) {
-          tell_fragment_backwards(model, {{6, 20}, {4, 10}}, 2);
+          code_fragment_backwards(model, {{6, 20}, {4, 10}}, 2);
         })}))
             .events == Script().fragment(up, start, 2).run(4, 10).run(6, 20).fragment_end().events);
 }
@@ -627,13 +628,13 @@ TEST_CASE("a fragment may fill a record to the last word, and one run more is re
   constexpr uint32_t most = Record::max_words - Record::ring_words;
   for (const bool is_backwards : {false, true})
     for (const uint32_t count : {most, most + 1, most + 5}) {
-      ToldRuns runs;
+      CodedRuns runs;
       for (uint32_t i = 0; i < count; ++i) runs.push_back({static_cast<Direction>(i % 4), 1});
       const Received arrival = decode(stream_of({payload_of([&](auto& model) {
         if (is_backwards)
-          tell_fragment_backwards(model, runs, 0);
+          code_fragment_backwards(model, runs, 0);
         else
-          tell_fragment(model, 0, runs);
+          code_fragment(model, 0, runs);
       })}));
       CHECK(pieces_of(arrival.events).size() == (count == most ? 1 : 0));
       CHECK(arrival.report.fragments == (count == most ? 1 : 0));
@@ -644,7 +645,7 @@ TEST_CASE("a fragment may fill a record to the last word, and one run more is re
 TEST_CASE("a part without its beginning counts as lost, of a fragment as of a region") {
   for (const bool is_fragment : {false, true}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-      tell_part(model, {true, true, false, is_fragment}, {{0, 2}});
+      code_part(model, {true, true, false, is_fragment}, {{0, 2}});
     })}));
     CHECK(arrival.events.empty());
     CHECK(arrival.report.lost_pieces == 1);
@@ -653,8 +654,8 @@ TEST_CASE("a part without its beginning counts as lost, of a fragment as of a re
 
 TEST_CASE("a part without its beginning counts as lost after a fragment with other directions") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
-    tell_fragment(model, 7, {{0, 2}});
-    tell_part(model, {true, true, false, true, incidence_of({1, 1, 0})}, {{0, 2}});
+    code_fragment(model, 7, {{0, 2}});
+    code_part(model, {true, true, false, true, incidence_of({1, 1, 0})}, {{0, 2}});
   })}));
   CHECK(arrival.report.fragments == 1);
   CHECK(arrival.report.lost_pieces == 1);
@@ -810,13 +811,13 @@ TEST_CASE("packets of unknown kinds are skipped without loss") {
 TEST_CASE("extension records are skipped") {
   const Bytes payload = payload_of([](auto& model) {
     for (const uint32_t bytes : {0U, 1U, 5U, 100U}) {
-      tell_layer(model, bytes);
+      code_layer(model, bytes);
       model.record_kind(RecordKind::extension);
-      model.even(8, 0xEE);
-      model.even(8, bytes);
-      for (uint32_t i = 0; i < bytes; ++i) model.even(8, i * 37 & 0xFF);
+      model.raw_bits(8, 0xEE);
+      model.raw_bits(8, bytes);
+      for (uint32_t i = 0; i < bytes; ++i) model.raw_bits(8, i * 37 & 0xFF);
     }
-    tell_layer(model, 101);
+    code_layer(model, 101);
   });
   const Received arrival = decode(stream_of({payload}));
   CHECK(arrival.events == Script().layer(0).layer(1).layer(5).layer(100).layer(101).events);
@@ -825,14 +826,14 @@ TEST_CASE("extension records are skipped") {
 
 TEST_CASE("a region sent entirely in parts is delivered as a single region") {
   const Bytes first = payload_of([](auto& model) {
-    tell_part(model, {false, false, true}, {{3, 70000}});
+    code_part(model, {false, false, true}, {{3, 70000}});
   });
   const Bytes second = payload_of([](auto& model) {
-    tell_part(model, {true, false, false}, {{7, 1}});
-    tell_part(model, {true, false, true}, {{1, 1}});
+    code_part(model, {true, false, false}, {{7, 1}});
+    code_part(model, {true, false, true}, {{1, 1}});
   });
   const Bytes third = payload_of([](auto& model) {
-    tell_part(model, {true, true, false}, {{0, 2}});
+    code_part(model, {true, true, false}, {{0, 2}});
   });
   Script expected;
   expected.region(up).ring({1, 0, 0}).run(3, 70000).run(7, 1).ring({1, 0, 0}, true).run(1, 1);
@@ -846,69 +847,69 @@ TEST_CASE("a region sent entirely in parts is delivered as a single region") {
 
 TEST_CASE("a layer mark between parts ends the open region") {
   const Bytes payload = payload_of([](auto& model) {
-    tell_first_part(model);
-    tell_layer(model, 9);
-    tell_last_part(model);
+    code_first_part(model);
+    code_layer(model, 9);
+    code_last_part(model);
   });
   CHECK(decode(stream_of({payload})).events == first_part().lost().layer(9).events);
 }
 
 TEST_CASE("records that break the grammar are refused") {
   check_unreadable([](auto& model) {  // runs without a ring before them
-    tell_part(model, {false, true, false}, {{0, 2}});
+    code_part(model, {false, true, false}, {{0, 2}});
   });
   check_unreadable([](auto& model) {  // a second ring in a fragment
-    tell_part(model, {true, true, true, true}, {{0, 2}});
+    code_part(model, {true, true, true, true}, {{0, 2}});
   });
   check_unreadable([](auto& model) {  // a fragment without a start
-    tell_part(model, {false, true, false, true}, {{0, 2}});
+    code_part(model, {false, true, false, true}, {{0, 2}});
   });
   for (const uint32_t incidence : {uint32_t{no_incidence}, 27U, 31U}) {
-    check_unreadable([&](auto& model) {  // a part of no incidence
+    check_unreadable([&](auto& model) {  // a part without an incidence
       model.record_kind(RecordKind::part);
-      model.even(4, 1);
-      model.even(5, incidence);
+      model.raw_bits(4, 1);
+      model.raw_bits(5, incidence);
     });
     for (const RecordKind kind : {RecordKind::region, RecordKind::holed, RecordKind::forwards})
       check_unreadable([&](auto& model) {  // and whole records
         model.record_kind(kind);
         model.start({1, 1, 1});
-        model.even(5, incidence);
+        model.raw_bits(5, incidence);
       });
   }
-  // The second would be a short run, were its upper bits lost.
+  // The second length would be that of a short run if its upper bits were ignored.
   for (const uint32_t too_long : {Run::max_length + 1, 2 * (Run::max_length + 1) + 5}) {
     check_unreadable([&](auto& model) {  // a first run that is too long
-      tell_part(model, {false, true, true}, {{0, too_long}});
+      code_part(model, {false, true, true}, {{0, too_long}});
     });
-    check_unreadable([&](auto& model) {  // and a further one
+    check_unreadable([&](auto& model) {  // a later run that is too long
       model.record_kind(RecordKind::forwards);
       model.start({1, 0, 0});
       model.incidence(up);
       model.chain_direction(2);
       model.chain_direction(0);
-      model.length(rows::lengths, 0, 1);
+      model.length(contexts::lengths, 0, 1);
       model.is_last_run(false);
-      tell_long_run(model, 2, too_long);
+      code_long_run(model, 2, too_long);
       model.is_last_run(true);
     });
   }
-  check_unreadable([](auto& model) {  // a first run of no links, by a length that wraps
-    tell_part(model, {false, true, true}, {});
+  check_unreadable([](auto& model) {  // a first run without links, because its length wraps
+    code_part(model, {false, true, true}, {});
     model.chain_direction(0);
-    model.coder().symbol(rows::lengths + 3 * rows::of_number, rows::of_number - 1);
-    model.even(5, 31);
-    model.even(32, 0);
+    model.coder().symbol(contexts::lengths + 3 * contexts::of_number, contexts::of_number - 1);
+    model.raw_bits(5, 31);
+    model.raw_bits(32, 0);
     model.is_last_run(true);
   });
-  check_unreadable([](auto& model) {  // a run of a fragment too long
-    tell_fragment(model, 4, {{0, Run::max_length + 1}});
+  check_unreadable([](auto& model) {  // a run of a fragment that is too long
+    code_fragment(model, 4, {{0, Run::max_length + 1}});
   });
   check_unreadable([](auto& model) {  // more rings than a record has room for
-    tell_squares(model, Record::max_words / (Record::ring_words + 4) + 1);
+    code_squares(model, Record::max_words / (Record::ring_words + 4) + 1);
   });
   for (const uint32_t from : {4U, 7U})
-    check_unreadable([&](auto& model) {  // a first direction that the plane does not have
+    check_unreadable([&](auto& model) {  // a first direction outside the plane
       model.record_kind(RecordKind::region);
       model.start({0, 1, 0});
       model.incidence(incidence_of({1, 1, 0}));
@@ -919,49 +920,51 @@ TEST_CASE("records that break the grammar are refused") {
     check_unreadable([&](auto& model) {  // a length of a square that is too long
       begin_ring(model, corners_of_square);
       model.two_lengths(first == 0 ? 12 : 3);
-      model.length(rows::longer, 0, detail::stream::max_compact_length - 2);
+      model.length(contexts::longer, 0, detail::stream::max_compact_length - 2);
     });
-  check_unreadable([](auto& model) {  // of a trapezoid, whose last two would not be
-    begin_ring(model, corners_symbol(3, 1, 1));
-    model.two_lengths(12);
-    model.length(rows::longer, 0, detail::stream::max_compact_length - 2);
-  });
-  check_unreadable([](auto& model) {  // the length of a triangle too long
+  check_unreadable(
+      [](auto& model) {  // a length of a trapezoid; its last two lengths would be valid
+        begin_ring(model, corners_symbol(3, 1, 1));
+        model.two_lengths(12);
+        model.length(contexts::longer, 0, detail::stream::max_compact_length - 2);
+      });
+  check_unreadable([](auto& model) {  // a length of a triangle that is too long
     begin_ring(model, corners_of_triangle);
-    model.length(rows::lengths, 0, detail::stream::max_compact_length + 1);
+    model.length(contexts::lengths, 0, detail::stream::max_compact_length + 1);
   });
   for (const uint32_t corners : {corners_symbol(1, 3, 2), corners_symbol(2, 1, 2)})
-    check_unreadable([&](auto& model) {  // rings of four that their last two runs cannot close
-      begin_ring(model, corners);
-      model.two_lengths(0);
-    });
-  check_unreadable([](auto& model) {  // run by run, one too long
+    check_unreadable(
+        [&](auto& model) {  // rings of four corners that their last two runs cannot close
+          begin_ring(model, corners);
+          model.two_lengths(0);
+        });
+  check_unreadable([](auto& model) {  // run by run, with one run too long
     begin_ring(model);
-    model.length(rows::lengths, 0, detail::stream::max_compact_length + 1);
+    model.length(contexts::lengths, 0, detail::stream::max_compact_length + 1);
     model.is_last_run(true);
   });
-  check_unreadable([](auto& model) {  // and a further one
+  check_unreadable([](auto& model) {  // with a later run too long
     begin_ring(model);
-    model.length(rows::lengths, 0, 1);
+    model.length(contexts::lengths, 0, 1);
     model.is_last_run(false);
-    tell_long_run(model, 2, detail::stream::max_compact_length + 1);
+    code_long_run(model, 2, detail::stream::max_compact_length + 1);
     model.is_last_run(true);
   });
-  check_unreadable([](auto& model) {  // whose last one would not be
+  check_unreadable([](auto& model) {  // with runs whose last one is too short
     begin_ring(model);
-    tell_runs(model, {{0, 1}, {4, detail::stream::max_compact_length + 1}});
+    code_runs(model, {{0, 1}, {4, detail::stream::max_compact_length + 1}});
   });
-  check_unreadable([](auto& model) {  // runs from whose end no run leads back
+  check_unreadable([](auto& model) {  // no run leads back from the end of the runs
     begin_ring(model);
-    tell_runs(model, {{0, 1}, {1, 1}});
+    code_runs(model, {{0, 1}, {1, 1}});
   });
-  check_unreadable([](auto& model) {  // runs that are back already
+  check_unreadable([](auto& model) {  // the runs lead back already
     begin_ring(model);
-    tell_runs(model, {{0, 1}, {4, 1}});
+    code_runs(model, {{0, 1}, {4, 1}});
   });
   check_unreadable([](auto& model) {  // a last run that would be too long
     begin_ring(model);
-    tell_runs(model, {{0, detail::stream::max_compact_length}, {2, 1}, {6, 1}, {0, 1}});
+    code_runs(model, {{0, detail::stream::max_compact_length}, {2, 1}, {6, 1}, {0, 1}});
   });
 }
 
@@ -969,20 +972,20 @@ TEST_CASE(
     "a stream with a packet that cannot be read is not complete, even if no region is missing") {
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   Packet packet = packet_of(frames[1]);
-  packet.payload = payload_of([](auto& model) { tell_unreadable(model); });
+  packet.payload = payload_of([](auto& model) { code_unreadable(model); });
   frames[1] = frame_of(packet);
   CHECK_FALSE(decode(joined(frames)).report.is_complete());
 }
 
 TEST_CASE("a part that continues nothing ends the open region, and both count as lost") {
-  const auto tell_stray = [](auto& model) {
-    tell_part(model, {true, true, false, false, incidence_of({1, 0, 0})}, {{0, 2}});
+  const auto code_stray = [](auto& model) {
+    code_part(model, {true, true, false, false, incidence_of({1, 0, 0})}, {{0, 2}});
   };
   const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-    tell_first_part(model);
-    tell_stray(model);
-    tell_last_part(model);
-    tell_layer(model, 5);
+    code_first_part(model);
+    code_stray(model);
+    code_last_part(model);
+    code_layer(model, 5);
   })}));
   CHECK(arrival.events == first_part().lost().layer(5).events);
   CHECK(arrival.report.lost_pieces == 2);
@@ -994,9 +997,9 @@ TEST_CASE("a stream with a lost region is incomplete even if the total matches")
   std::vector<Bytes> frames = frames_of(encode(one));
   Packet packet = packet_of(frames[1]);
   packet.payload = payload_of([](auto& model) {
-    tell_last_part(model);
-    tell_first_part(model);
-    tell_last_part(model);
+    code_last_part(model);
+    code_first_part(model);
+    code_last_part(model);
   });
   frames[1] = frame_of(packet);
   const StreamReport report = decode(joined(frames)).report;
@@ -1011,8 +1014,8 @@ TEST_CASE("a part of another incidence or kind does not continue the open piece"
     for (const Incidence incidence : {up, Incidence{0}}) {
       if (!is_fragment && incidence == up) continue;
       const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-        tell_first_part(model);
-        tell_part(model, {true, true, false, is_fragment, incidence}, {{0, 2}});
+        code_first_part(model);
+        code_part(model, {true, true, false, is_fragment, incidence}, {{0, 2}});
       })}));
       CHECK(arrival.events == first_part().lost().events);
     }
@@ -1022,7 +1025,7 @@ TEST_CASE("two runs there and back are decoded up to the longest compact run") {
   for (const uint32_t length : {1U, detail::stream::max_compact_length}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_ring(model);
-      tell_runs(model, {{0, length}});
+      code_runs(model, {{0, length}});
     })}));
     CHECK(arrival.events ==
           Script().region(up).ring({1, 0, 0}).run(0, length).run(4, length).region_end().events);
@@ -1032,12 +1035,12 @@ TEST_CASE("two runs there and back are decoded up to the longest compact run") {
 TEST_CASE("a ring as long as a record is delivered, and a longer ring is refused") {
   constexpr uint32_t longest = Record::max_words - Record::ring_words;
   for (const uint32_t count : {longest, longest + 1, longest + 2, longest + 4}) {
-    ToldRuns runs;
+    CodedRuns runs;
     for (uint32_t i = 0; i + 1 < count; ++i)
       runs.push_back({static_cast<Direction>(i % 2 == 0 ? 0 : 4), 1});
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_ring(model);
-      tell_runs(model, runs);
+      code_runs(model, runs);
     })}));
     CHECK(pieces_of(arrival.events).size() == (count == longest ? 1 : 0));
     CHECK(arrival.report.damaged_packets == (count == longest ? 0 : 1));
@@ -1048,9 +1051,9 @@ TEST_CASE("a ring of four corners is coded by turns and two lengths, a triangle 
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
     begin_ring(model, corners_of_square);
     model.two_lengths(4 * 3 + 1);  // four links or more, then two
-    model.length(rows::longer, 0, detail::stream::max_compact_length - 3);
+    model.length(contexts::longer, 0, detail::stream::max_compact_length - 3);
     begin_ring(model, corners_of_triangle);
-    model.length(rows::lengths, 0, 5);
+    model.length(contexts::lengths, 0, 5);
   })}));
   const Events expected = Script()
                               .region(up)
@@ -1073,8 +1076,8 @@ TEST_CASE("a ring of four corners is coded by turns and two lengths, a triangle 
 TEST_CASE("a fragment in parts continues only with parts of its own incidence") {
   for (const bool is_same : {true, false}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-      tell_part(model, {false, false, true, true, up, 5}, {{0, 2}});
-      tell_part(model, {true, true, false, true, is_same ? up : Incidence{0}}, {{2, 3}});
+      code_part(model, {false, false, true, true, up, 5}, {{0, 2}});
+      code_part(model, {true, true, false, true, is_same ? up : Incidence{0}}, {{2, 3}});
     })}));
     Script expected;
     expected.fragment(up, {1, 0, 0}, 5).run(0, 2);
@@ -1090,8 +1093,8 @@ TEST_CASE("a fragment in parts continues only with parts of its own incidence") 
 
 TEST_CASE("a second ring in a fragment is refused, even in a continued part") {
   const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-    tell_part(model, {false, false, true, true, up, 5}, {{0, 2}});
-    tell_part(model, {true, true, true, true}, {{2, 3}});
+    code_part(model, {false, false, true, true, up, 5}, {{0, 2}});
+    code_part(model, {true, true, true, true}, {{2, 3}});
   })}));
   CHECK(arrival.events == Script().fragment(up, {1, 0, 0}, 5).run(0, 2).lost().events);
   CHECK(arrival.report.damaged_packets == 1);
@@ -1102,7 +1105,7 @@ TEST_CASE("a stream is incomplete if its trailer counts another number of fragme
   std::vector<Bytes> frames = frames_of(encode(one));
   REQUIRE(decode(joined(frames)).report.is_complete());
   Packet trailer = packet_of(frames.back());
-  // After the slices and the flag; a region in the place of the fragment.
+  // After the number of slices and the flag. A region replaces the fragment.
   detail::wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1);
   detail::wire::put_long(trailer.payload.data() + 4 + 1 + 6 * 8, 0);
   frames.back() = frame_of(trailer);
@@ -1149,7 +1152,7 @@ TEST_CASE("a sink may refuse the last events of a stream repeatedly") {
 
 TEST_CASE("a payload that ends within a record is refused") {
   const Bytes whole = payload_of([](auto& model) {
-    for (uint32_t slice = 0; slice < 100; ++slice) tell_layer(model, slice * 3);
+    for (uint32_t slice = 0; slice < 100; ++slice) code_layer(model, slice * 3);
   });
   for (size_t count = 0; count < whole.size(); ++count) {
     const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count));
@@ -1161,15 +1164,16 @@ TEST_CASE("a payload that ends within a record is refused") {
 
 TEST_CASE("a part may fill a record to the last word, and a longer part is refused") {
   constexpr uint32_t most = Record::max_words - Record::ring_words;
-  const auto tell_of = [](auto& model, uint32_t count) {
-    ToldRuns runs;
+  const auto code_part_of = [](auto& model, uint32_t count) {
+    CodedRuns runs;
     for (uint32_t i = 0; i < count; ++i) runs.push_back({static_cast<Direction>(i % 4), 1});
-    tell_part(model, {false, true, true}, runs);
+    code_part(model, {false, true, true}, runs);
   };
-  const Received full = decode(stream_of({payload_of([&](auto& model) { tell_of(model, most); })}));
+  const Received full =
+      decode(stream_of({payload_of([&](auto& model) { code_part_of(model, most); })}));
   CHECK(full.report.regions == 1);
   CHECK(full.events.size() == 1 + 1 + most + 1);
-  check_unreadable([&](auto& model) { tell_of(model, most + 1); });
+  check_unreadable([&](auto& model) { code_part_of(model, most + 1); });
 }
 
 TEST_CASE("a frame that is cut off at the end counts as damaged, once") {

@@ -1,5 +1,4 @@
-// The encoder alone: its packets, their heads, its slow outputs, flush(), and records at the
-// limits.
+// The encoder alone: its packets, their heads, slow outputs, flush(), and records at the limits.
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/stream_samples.hpp"
 #include "test.hpp"
@@ -17,7 +16,7 @@ std::vector<Packet> packets_of(const Bytes& stream) {
   return packets;
 }
 
-// Many regions, a few to a packet.
+// Many regions, a few per packet.
 Events many_regions(uint32_t count, uint32_t runs = 60) {
   Script script;
   Chance chance(1);
@@ -174,7 +173,7 @@ TEST_CASE("a flush on a slow line continues where it stopped") {
       REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
       size_t told = 0;
       for (const RecordedEvent& one : sample.events) {
-        take_all(encoder, {one});
+        encode_all(encoder, {one});
         if (++told % 37 == 0)
           while (encoder.flush() == Status::suspended) continue;
       }
@@ -191,8 +190,8 @@ TEST_CASE("the trailer is written once even if the finish event is repeated") {
     Encoder encoder;
     REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
     const Events events = many_regions(3);
-    take_all(encoder, events);
-    take_all(encoder, {events.back()});
+    encode_all(encoder, events);
+    encode_all(encoder, {events.back()});
     while (encoder.flush() == Status::suspended) continue;
     CHECK(line.bytes == encode(events));
   }
@@ -214,10 +213,10 @@ TEST_CASE("an encoder that is started again begins a new stream") {
     Line line(told % 2);
     Encoder encoder;
     REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-    take_all(encoder, Events(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(told)));
+    encode_all(encoder, Events(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(told)));
     Line again;
     REQUIRE(begin_stream(encoder, any_header(), again.output()) == Status::ok);
-    take_all(encoder, events);
+    encode_all(encoder, events);
     CHECK(again.bytes == encode(events));
     CHECK(encoder.bytes() == again.bytes.size());
   }
@@ -233,7 +232,7 @@ TEST_CASE("a further scan begins once the line has accepted all of the previous 
   while (encoder.accept(start_of(header)) != SinkResult::accepted) ++refusals;
   CHECK(refusals > 10);
   CHECK(line.bytes == encode({}));
-  take_all(encoder, events);
+  encode_all(encoder, events);
   header.scan = 1;
   CHECK(joined({encode({}), encode(events, header)}) == line.bytes);
 }
@@ -268,7 +267,7 @@ TEST_CASE("an encoder restarted amid a region in parts encodes the next region w
   Line line;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   const Events events = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
-  take_all(encoder, events);
+  encode_all(encoder, events);
   CHECK(line.bytes == encode(events));
 }
 
@@ -428,7 +427,7 @@ TEST_CASE("an encoder encodes normals after restore() only if they are enabled a
 }
 
 TEST_CASE("a region with a run outside a ring damages only its own packet") {
-  // If its first words were read as a start, the second would be a ring of its own.
+  // If its first words were read as a start, the second would be a ring.
   for (const Vertex& start : {Vertex{1, 0, 0}, Vertex{1, 0, 8}}) {
     Script script;
     script.region(up).run(0, 2).ring(start).run(0, 2).run(4, 3).region_end();

@@ -10,7 +10,7 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-// Every number of it another one, the outermost among them.
+// All members differ, and some are at their limits.
 Placement any_placement(Space space) {
   Placement placement;
   int32_t next = 0x01020304;
@@ -76,7 +76,7 @@ TEST_CASE("the bytes of a placement are as documented") {
   expected[12] = 5;
   std::fill_n(expected.begin() + 53, 7, uint8_t{0xFF});
   expected[60] = 2;
-  expected[61] = 0xA5;  // none is written behind them
+  expected[61] = 0xA5;  // no placement is written after them
   CHECK(record.kind == 240);
   CHECK(record.slice == 0);
   CHECK(record.row == 0);

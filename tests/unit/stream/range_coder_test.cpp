@@ -1,4 +1,4 @@
-// The range coder alone: any bits under any probabilities, its length, its carries and its ends.
+// The range coder alone: any bits with any probabilities, lengths, carries and ends.
 #include <discmc/stream/range_coder.hpp>
 
 #include "oracle/stream.hpp"
@@ -16,7 +16,7 @@ struct Decision {
 };
 using Decisions = std::vector<Decision>;
 
-// Bits that occur about as often as their probabilities predict, or the opposite.
+// Bits that occur as often as their probabilities predict, or the opposite.
 Decisions random_decisions(Chance& chance, size_t count, bool is_likely = true) {
   Decisions decisions(count);
   for (Decision& decision : decisions) {
@@ -53,8 +53,8 @@ void check_round_trip(const Decisions& decisions) {
   CHECK(wrong_bits(encoded(decisions), decisions) == 0);
 }
 
-// Bits chosen so that the code stays as close below `target` as it can. Later bits decide whether a
-// carry runs through all of it.
+// Bits chosen to keep the code as close below `target` as possible. Later bits decide whether a
+// carry propagates through all of it.
 Decisions towards(const Bytes& target, size_t count, Probability one) {
   RangeDecoder decoder(target.data(), target.size());
   Decisions decisions(count);
@@ -106,7 +106,7 @@ TEST_CASE("a carry propagates through any number of bytes 255 and may stop befor
         CAPTURE(run);
         Bytes target(lead, 0x5A);
         target.resize(lead + run, 0xFF);
-        // Every length of the approach, then the least and the greatest of what may follow.
+        // Every length of the approach, followed by the lowest and the highest code.
         for (size_t count = 0; count < 8 * (lead + run) + 4; count += 3) {
           Decisions decisions = towards(target, count, one);
           for (const bool end : {false, true}) {
@@ -126,7 +126,7 @@ TEST_CASE("a carry propagates through any number of bytes 255 and may stop befor
 }
 
 TEST_CASE("a carry that leaves a byte 255 does not propagate to later bytes") {
-  // Found by a search: random bits hardly ever come to this.
+  // Found by a search, because random bits hardly ever reach this case.
   Decisions decisions = {{false, 125}, {true, 44},   {true, 89},  {true, 42},
                          {true, 199},  {false, 124}, {false, 255}};
   check_round_trip(decisions);
@@ -155,18 +155,18 @@ TEST_CASE("bits are decoded unchanged if the range is minimal") {
 }
 
 TEST_CASE("symbols are decoded unchanged if their share leaves the minimal range") {
-  // Found by a search: the fourth share leaves a range of exactly 2^24.
+  // Found by a search: the fourth symbol leaves a range of exactly 2^24.
   const uint8_t share[] = {13, 109, 185, 64, 77, 200};
   const uint32_t symbol[] = {0, 0, 0, 0, 1, 1};
   Bytes bytes(100);
   RangeEncoder encoder(bytes.data(), bytes.size());
   for (size_t i = 0; i < 6; ++i)
-    encoder.encode_share(symbol[i] * share[i], symbol[i] == 0 ? share[i] : 256U - share[i]);
+    encoder.encode_symbol(symbol[i] * share[i], symbol[i] == 0 ? share[i] : 256U - share[i]);
   bytes.resize(encoder.finish());
   RangeDecoder decoder(bytes.data(), bytes.size());
   for (size_t i = 0; i < 6; ++i) {
     const uint8_t row[] = {0, share[i], 0};
-    CHECK(decoder.decode_share(row) == symbol[i]);
+    CHECK(decoder.decode_symbol(row) == symbol[i]);
   }
   CHECK_FALSE(decoder.is_exhausted());
 }
@@ -227,7 +227,7 @@ TEST_CASE("a decoder that reads on is exhausted after a bounded number of bits")
     Bytes bytes(count);
     for (uint8_t& byte : bytes) byte = chance.byte();
     RangeDecoder decoder(bytes.data(), bytes.size());
-    // The cheapest bit costs log2(256 / 255) bits: 1,418 of them are a byte.
+    // The cheapest bit costs log2(256 / 255) bits, so 1,418 of them cost a byte.
     size_t bits = 0;
     while (!decoder.is_exhausted() && bits < 1420 * (count + 8)) {
       (void)decoder.decode(bits % 2 == 0 ? 255 : 1);
@@ -241,7 +241,7 @@ TEST_CASE("a decoder is exhausted by the fifth byte beyond the end, and not by t
   for (size_t count = 0; count < 5; ++count) {
     const Bytes bytes(count, 0x55);
     RangeDecoder decoder(bytes.data(), bytes.size());
-    // Nine bits of one half are worth a byte, and a little more.
+    // Nine bits of probability one half cost slightly more than a byte.
     for (size_t byte = 0; byte < count; ++byte)
       for (int bit = 0; bit < 8; ++bit) (void)decoder.decode(128);
     CHECK_FALSE(decoder.is_exhausted());

@@ -4,7 +4,7 @@
 
 #include "incidences.hpp"
 #include "oracle/stream.hpp"
-#include "oracle/symbol_rows.hpp"
+#include "oracle/symbol_contexts.hpp"
 #include "oracle/table_statements.hpp"
 #include "test.hpp"
 
@@ -19,20 +19,20 @@ namespace {
 using Values = std::vector<int64_t>;
 using WritingModel = RecordModel<SymbolWriter>;
 
-// Runs `tell` with a model that writes and with one that reads; it returns what was coded.
-template <class Tell>
-void check_round_trip(Tell tell, const Values& expected) {
+// Calls `code` with a model that writes, then with one that reads. `code` returns the coded values.
+template <class Code>
+void check_round_trip(Code code, const Values& expected) {
   Bytes bytes(UINT16_MAX);
   WritingModel writer({RangeEncoder(bytes.data(), bytes.size())});
-  CHECK(tell(writer, true) == expected);
+  CHECK(code(writer, true) == expected);
   REQUIRE(writer.coder().range.fits());
   bytes.resize(writer.coder().range.finish());
   ReadingModel reader({RangeDecoder(bytes.data(), bytes.size())});
-  CHECK(tell(reader, false) == expected);
+  CHECK(code(reader, false) == expected);
   CHECK_FALSE(reader.coder().range.is_exhausted());
 }
 
-// The same for values that are coded one by one, each by code(model, value).
+// Codes the values one by one, by code(model, value).
 template <class Code>
 void check_each(const Values& values, Code code) {
   check_round_trip(
@@ -44,7 +44,7 @@ void check_each(const Values& values, Code code) {
       values);
 }
 
-// Around every power of two, and the ends: 0 to 2^32 - 2.
+// Numbers around every power of two, and the bounds 0 and 2^32 - 2.
 std::vector<uint32_t> numbers() {
   std::vector<uint32_t> values{0, UINT32_MAX - 1};
   for (int bits = 1; bits < 32; ++bits)
@@ -64,50 +64,51 @@ bool is_odd(const Vertex& vertex) {
   return ((vertex.x ^ vertex.y ^ vertex.z) & 1) != 0;
 }
 
-// Reads the highest values that there are.
+// Reads only the highest values.
 struct Ones {
   static constexpr bool writes = false;
   uint32_t* bits;
-  uint32_t symbol(uint32_t, uint32_t) { return rows::of_number - 1; }
-  uint32_t even(uint32_t count, uint32_t) {
+  uint32_t symbol(uint32_t, uint32_t) { return contexts::of_number - 1; }
+  uint32_t raw_bits(uint32_t count, uint32_t) {
     *bits += count;
     return (1U << count) - 1;
   }
 };
 
-// Adds up what symbols cost.
+// Adds up the costs of symbols.
 struct Meter {
   static constexpr bool writes = true;
   double* bits;
-  uint32_t symbol(uint32_t row, uint32_t symbol) {
-    const int share = (shares[row + symbol + 1] - shares[row + symbol]) & 0xFF;
-    *bits -= std::log2(share / 256.0);
+  uint32_t symbol(uint32_t context, uint32_t symbol) {
+    const uint8_t* const below = cumulative_frequencies + context + symbol;
+    *bits -= std::log2(((below[1] - below[0]) & 0xFF) / 256.0);
     return symbol;
   }
-  uint32_t even(uint32_t, uint32_t value) { return value; }
+  uint32_t raw_bits(uint32_t, uint32_t value) { return value; }
 };
 
 }  // namespace
 
-TEST_CASE("rows of shares fill their table, and every valid symbol has a share") {
+TEST_CASE("contexts fill the table of frequencies, and every valid symbol has a frequency") {
+  const uint8_t* const below = cumulative_frequencies;
   uint32_t at = 0;
-  for (const reference::SymbolRows& rows : reference::symbol_rows()) {
-    CAPTURE(rows.name);
-    CHECK(rows.first == at);
-    const bool are_corners = rows.name == std::string("corners");
-    const uint32_t link_class = rows.symbols == 2 ? 0 : rows.symbols == 9 ? 1 : 2;
-    for (uint32_t row = 0; row < rows.rows; ++row, at += rows.symbols) {
-      CHECK(shares[at] == 0);
-      for (uint32_t i = 0; i < rows.symbols; ++i) {
+  for (const reference::SymbolContexts& of : reference::symbol_contexts()) {
+    CAPTURE(of.name);
+    CHECK(of.first == at);
+    const bool are_corners = of.name == std::string("corners");
+    const uint32_t link_class = of.symbols == 2 ? 0 : of.symbols == 9 ? 1 : 2;
+    for (uint32_t context = 0; context < of.count; ++context, at += of.symbols) {
+      CHECK(below[at] == 0);
+      for (uint32_t i = 0; i < of.symbols; ++i) {
         const uint32_t next = at + i + 1;
-        const uint32_t end = shares[next] == 0 ? 256 : shares[next];
-        const bool there_is = !are_corners || reference::has_corners(link_class, i);
-        CHECK((shares[at + i] < end && (i == 0 || shares[at + i] > 0)) == there_is);
+        const uint32_t end = below[next] == 0 ? 256 : below[next];
+        const bool is_valid = !are_corners || reference::has_corners(link_class, i);
+        CHECK((below[at + i] < end && (i == 0 || below[at + i] > 0)) == is_valid);
       }
     }
   }
-  CHECK(at == rows::end);
-  CHECK(shares[at] == 0);
+  CHECK(at == contexts::end);
+  CHECK(below[at] == 0);
 }
 
 TEST_CASE("the frequencies of symbols equal those of version 1") {
@@ -115,7 +116,7 @@ TEST_CASE("the frequencies of symbols equal those of version 1") {
   CHECK(reference::broken(reference::model_table()) == nullptr);
 }
 
-// Golden files hold few far steps: a symbol beyond the first ones of a number is seen here.
+// Golden files have few long steps, so this test detects changed symbols of large numbers.
 TEST_CASE("steps and lengths of every size are encoded as in version 1") {
   Bytes bytes(UINT16_MAX);
   WritingModel model({RangeEncoder(bytes.data(), bytes.size())});
@@ -132,8 +133,8 @@ TEST_CASE("steps and lengths of every size are encoded as in version 1") {
       model.incidence(incidence);
       model.begin_chain(static_cast<Direction>(bits % 4));
       for (const Direction direction : {Direction{0}, Direction{1}}) {
-        model.length(rows::lengths, direction, static_cast<uint32_t>(far));
-        model.length(rows::longer, direction, static_cast<uint32_t>(far));
+        model.length(contexts::lengths, direction, static_cast<uint32_t>(far));
+        model.length(contexts::longer, direction, static_cast<uint32_t>(far));
       }
     }
     model.layer(incidence);
@@ -196,21 +197,21 @@ TEST_CASE("lengths are decoded unchanged in every class of planes and along ever
           model.start({1, 1, 1});
           model.incidence(writes ? incidence : no_incidence);
           for (const uint32_t value : values)
-            for (const uint32_t row : {rows::lengths, rows::longer})
+            for (const uint32_t context : {contexts::lengths, contexts::longer})
               coded.push_back(
-                  model.length(row, static_cast<Direction>(value % 2), writes ? value + 1 : 1));
+                  model.length(context, static_cast<Direction>(value % 2), writes ? value + 1 : 1));
           return coded;
         },
         expected);
   });
 }
 
-TEST_CASE("even bits are decoded unchanged") {
+TEST_CASE("raw bits are decoded unchanged") {
   const Values expected{0, 255, 0x5A, 0, 1, 0x7FFFFFFF, 0x89ABCDEF};
   check_round_trip(
       [&](auto& model, bool writes) {
         const auto bits = [&](uint32_t count, uint32_t value) {
-          return int64_t{model.even(count, writes ? value : 0)};
+          return int64_t{model.raw_bits(count, writes ? value : 0)};
         };
         return Values{bits(8, 0), bits(8, 255),         bits(8, 0x5A),       bits(1, 0),
                       bits(1, 1), bits(31, 0x7FFFFFFF), bits(32, 0x89ABCDEF)};
@@ -218,7 +219,7 @@ TEST_CASE("even bits are decoded unchanged") {
       expected);
 }
 
-// On edges of the same voxel and of another one, and in its middle.
+// On edges of the same voxel and of another voxel, and at a centroid.
 TEST_CASE("all pairs of incidences are decoded unchanged at every kind of vertex") {
   const Vertex vertices[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {3, 0, 0}, {2, 1, 0}};
   Values expected;
@@ -302,7 +303,7 @@ TEST_CASE("all pairs of directions are decoded unchanged in every kind of chain"
 }
 
 TEST_CASE("kinds are decoded unchanged in every state of the packet") {
-  constexpr uint32_t kinds = rows::of_kinds;
+  constexpr uint32_t kinds = contexts::of_kinds;
   Values expected;
   for (uint32_t a = 0; a < kinds; ++a)
     for (uint32_t b = 0; b < kinds; ++b)
@@ -316,7 +317,7 @@ TEST_CASE("the symbols of a ring are decoded unchanged") {
   for_each_incidence([&](Incidence incidence) {
     const uint32_t link_class = class_of(incidence);
     Values expected;
-    for (uint32_t i = 0; i < rows::of_corners(link_class); ++i)
+    for (uint32_t i = 0; i < contexts::of_corners(link_class); ++i)
       if (reference::has_corners(link_class, i)) expected.push_back(i);
     for (uint32_t i = 0; i < direction_count(incidence); ++i) expected.push_back(i);
     for (uint32_t i = 0; i < 16; ++i) expected.push_back(i);
@@ -329,7 +330,7 @@ TEST_CASE("the symbols of a ring are decoded unchanged") {
           };
           model.start({1, 1, 1});
           model.incidence(writes ? incidence : no_incidence);
-          for (uint32_t i = 0; i < rows::of_corners(link_class); ++i)
+          for (uint32_t i = 0; i < contexts::of_corners(link_class); ++i)
             if (reference::has_corners(link_class, i)) coded.push_back(model.corners(told()));
           for (uint32_t i = 0; i < direction_count(incidence); ++i)
             coded.push_back(model.ring_direction(told()));
@@ -401,7 +402,7 @@ TEST_CASE("a ring is closed exactly by two directions and lengths that lead back
           CHECK(closure.is_valid);
           CHECK(closure.first == static_cast<uint32_t>(m));
           CHECK(closure.second == static_cast<uint32_t>(n));
-          // One of the lengths too many, or none left.
+          // One length too many, or none left.
           const int32_t over = static_cast<int32_t>(max_compact_length) + 1;
           CHECK_FALSE(close_ring(a, b, {over * a.u + n * b.u, over * a.v + n * b.v}).is_valid);
           CHECK_FALSE(close_ring(a, b, {m * a.u + over * b.u, m * a.v + over * b.v}).is_valid);
@@ -412,7 +413,7 @@ TEST_CASE("a ring is closed exactly by two directions and lengths that lead back
       }
   }
   CHECK(closed == 2 * (4 * 2 + 6 * 4 + 8 * 6));
-  // Half a link; where only the one length has no half, too.
+  // Half a link. If only the one length is whole, the ring is invalid, too.
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {3, 2}).is_valid);
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {2, 3}).is_valid);
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {2, 1}).is_valid);
@@ -438,7 +439,7 @@ TEST_CASE("the way between two points is a run along a direction, or empty") {
   CHECK(run_along(plane_steps_of(2), 8, {3, 0}).is_empty());  // half a link
 }
 
-// A ring is closed by plane steps exactly if it is closed in space.
+// A ring closes in steps of the plane exactly if it closes in space.
 TEST_CASE("steps of a plane add up like its links") {
   for_each_incidence([&](Incidence incidence) {
     const PlaneStep* const steps = plane_steps_of(class_of(incidence));
@@ -482,7 +483,7 @@ TEST_CASE("a ring with a half turn is not coded by its corners") {
 }
 
 TEST_CASE("a fragment is coded from its nearer end, by cost: slice 64, row 8, voxel 1") {
-  // A fragment that begins and ends at given distances in voxels from the previous vertex.
+  // A fragment whose ends are at given distances in voxels from the previous vertex.
   const auto is_nearer = [](Vertex start, Vertex end) {
     const Vertex before{1, 100, 100};
     Record record;
@@ -517,10 +518,10 @@ TEST_CASE("a part without a run is refused by the reader") {
   Bytes bytes(100);
   WritingModel writer({RangeEncoder(bytes.data(), bytes.size())});
   encode_part(writer, record, Record::ring_words);
-  writer.even(8, 0xA5);
+  writer.raw_bits(8, 0xA5);
   bytes.resize(writer.coder().range.finish());
   ReadingModel reader({RangeDecoder(bytes.data(), bytes.size())});
   CHECK(reader.record_kind(RecordKind::end) == RecordKind::part);
-  CHECK(reader.even(4, 0) == 15);
-  CHECK(reader.even(8, 0) == 0xA5);
+  CHECK(reader.raw_bits(4, 0) == 15);
+  CHECK(reader.raw_bits(8, 0) == 0xA5);
 }

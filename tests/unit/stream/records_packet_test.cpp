@@ -1,4 +1,4 @@
-// Packets of records on their way from an encoder or a decoder to another encoder.
+// Packets of records from an encoder or a decoder, passed to another encoder.
 #include <discmc/receiver.hpp>
 #include <discmc/stream/records_packet.hpp>
 
@@ -12,7 +12,7 @@ using detail::wire::PacketKind;
 
 namespace {
 
-// Regions of 12 runs, a few to a packet.
+// Regions of 12 runs, a few per packet.
 Events small_regions(uint32_t count) {
   Script script;
   Chance chance(1);
@@ -27,7 +27,7 @@ struct KeptPacket {
 };
 using KeptPackets = std::vector<KeptPacket>;
 
-// Encodes four regions per packet, which leave room for a count.
+// Encodes four regions per packet, with room for a count.
 Bytes encode_shortly(const Events& events) {
   Line line;
   Encoder encoder;
@@ -40,8 +40,7 @@ Bytes encode_shortly(const Events& events) {
   return line.bytes;
 }
 
-// The packets of records that an encoder makes. Packets that are to be whole leave room for a
-// count.
+// Returns the packets of records of an encoder. Packets for whole regions have room for a count.
 KeptPackets packets_of(const Events& events, bool are_whole = true) {
   std::vector<Packet> all;
   for (const Bytes& frame : frames_of(are_whole ? encode_shortly(events) : encode(events)))
@@ -60,18 +59,18 @@ Status append(Encoder& encoder, const KeptPacket& packet) {
       {packet.payload.data(), packet.payload.size(), packet.pieces, packet.is_whole});
 }
 
-// A stream with packets from elsewhere, behind some events of its own.
+// A stream with foreign packets, after some events of its own.
 Bytes appended(const KeptPackets& packets, const Event& finish, const Events& before = {}) {
   Line line;
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  take_all(encoder, before);
+  encode_all(encoder, before);
   for (const KeptPacket& packet : packets) CHECK(append(encoder, packet) == Status::ok);
   CHECK(encoder.accept(finish) == SinkResult::accepted);
   return line.bytes;
 }
 
-// What a decoder passes on, and the rest.
+// The packets that a decoder passes on, and the rest.
 struct Passed {
   KeptPackets packets;
   std::vector<size_t> events_before;  // each packet
@@ -181,7 +180,7 @@ TEST_CASE("before a header packets of whole regions are decoded") {
   std::vector<Bytes> frames = frames_of(appended(packets_of(regions), regions.back().event()));
   frames.erase(frames.begin());
   const Passed late = passed(joined(frames));
-  CHECK_FALSE(late.packets.empty());  // those behind the header that comes again
+  CHECK_FALSE(late.packets.empty());  // the packets after the repeated header
   CHECK(pieces_of(late.events).size() + late.packets.size() > 64);
   CHECK(late.report.regions == 1000);
 }

@@ -1,4 +1,4 @@
-// Which slices a stream is of, as an application record.
+// The slices of a stream, as an application record.
 #include <discmc/placement.hpp>
 #include <iterator>
 

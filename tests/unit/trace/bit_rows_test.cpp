@@ -1,5 +1,5 @@
-// Rows of bits against the definition: the bit of each voxel, its copies and the halo, for samples
-// in any portions. The rows around a row stay right while later rows overwrite the oldest.
+// Rows of bits, compared with their definition: the bit of each voxel, its copies and the halo, for
+// samples in any portions. The rows around a row stay valid while later rows overwrite the oldest.
 #include <discmc/trace/bit_rows.hpp>
 
 #include <random>
@@ -24,7 +24,7 @@ struct Rows : detail::trace::BitRows {
             detail::trace::bit_row_bytes(limits.width, detail::trace::swept_rows(limits.height)) /
                 4,
             0xDEADBEEF) {
-    // The vector is aligned, so what the arena sets aside for that is not needed.
+    // The vector is aligned, so the bytes for the arena's alignment are not needed.
     Arena arena({memory.data(), sizeof(uint32_t) * memory.size() + Arena::alignment - 1});
     start(arena, limits, detail::trace::swept_rows(limits.height));
     REQUIRE_FALSE(arena.is_exhausted());
@@ -48,7 +48,7 @@ void check_row(const uint32_t* row, uint32_t width, IsOn is_on) {
   }
 }
 
-// The same for the first row of all, which must be complete.
+// Likewise checks the first row, which must be complete.
 template <class IsOn>
 void check_first_row(const Rows& rows, uint32_t width, IsOn is_on) {
   CHECK(rows.is_row_complete());
@@ -78,8 +78,8 @@ void check_around(const Rows& rows, const BitVolume& volume, int32_t y, int32_t 
   CHECK(rows.is_off_around(y) == is_off);
 }
 
-// The rows that the newest of `count` rows of slice z makes ready for the sweep. Around older ones,
-// rows are being overwritten.
+// Checks the rows that become ready for the sweep with the newest of `count` rows of slice z. Rows
+// around older ones are being overwritten.
 void check_newest(const Rows& rows, const BitVolume& volume, uint32_t count, int32_t z) {
   const auto newest = static_cast<int32_t>(count) - 2;
   check_around(rows, volume, newest, z - 1);
@@ -97,7 +97,7 @@ TEST_CASE("a word contains 30 columns and copies of both neighbours") {
   Rows rows({90, 1, Border::closed});
   rows.append(on.data(), 90, 1, 1);
   REQUIRE(rows.words() == 4);
-  CHECK(rows.memory[0] == 0xFFFFFFFD);  // some are on, the halo is not
+  CHECK(rows.memory[0] == 0xFFFFFFFD);  // some are on, but not the halo
   CHECK(rows.memory[1] == 0xFFFFFFFF);
   CHECK(rows.memory[2] == 0xFFFFFFFF);
   CHECK(rows.memory[3] == 0x00000003);  // columns 89 and 90, then the halo
@@ -108,7 +108,7 @@ TEST_CASE("the rows around every row are those of the volume, with the border") 
     for (const uint32_t height : {1U, 2U, 3U, 5U}) {
       const BitVolume volume = reference::random({width, height, 5}, 128, width * 8 + height);
       Rows rows({width, height, Border::closed});
-      // After the last slice comes one that is off.
+      // The slice after the last one is off.
       for (int32_t z = 0; z <= 5; ++z) {
         for (uint32_t y = 0; y < height; ++y) {
           CHECK(rows.rows() == y);
@@ -118,7 +118,7 @@ TEST_CASE("the rows around every row are those of the volume, with the border") 
             rows.fill_off();
           CHECK(rows.is_row_complete());
           rows.next_row();
-          // No samples: the oldest row, whose place the next one takes, is still in use.
+          // No samples: the oldest row, which the next row will overwrite, is still in use.
           if (y + 1 < height) rows.append(volume.on.data(), 0, 1, 1);
           check_newest(rows, volume, y + 1, z);
         }
@@ -169,7 +169,7 @@ TEST_CASE("a row may arrive in any portions") {
       for (uint32_t at = 0; at < width; at += chunk) {
         const uint32_t count = chunk < width - at ? chunk : width - at;
         CHECK(rows.column() == at);
-        // Beside the portion lies the opposite of what belongs there.
+        // The samples beside the portion have the opposite value.
         std::vector<uint8_t> portion(count + 2);
         for (uint32_t i = 0; i < count + 2; ++i) {
           const bool is_on = volume.at(int64_t{at} + i - 1, 0, 0);
@@ -188,7 +188,7 @@ TEST_CASE("a row of bits equals its samples") {
     std::vector<uint8_t> bits((width + 7) / 8, 0);
     for (uint32_t x = 0; x < width; ++x)
       bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | volume.on[x] << x % 8);
-    // What lies beyond the row in the last byte does not matter.
+    // Bits beyond the row in the last byte are ignored.
     if (width % 8 != 0) bits.back() = static_cast<uint8_t>(bits.back() | 0xFFU << width % 8);
     Rows rows({width, 1, Border::closed});
     rows.append_bits(bits.data());
@@ -203,7 +203,7 @@ TEST_CASE(
     BitVolume volume = reference::random({width, 2, 2}, 160, width);
     Rows rows({width, 2, Border::closed});
     const uint32_t half = width / 2;
-    // Row 0: half of it came; row 1: the same again; next slice: again, then none at all.
+    // Row 0: half of it arrived; row 1: likewise; next slice: likewise, then none.
     rows.append(volume.on.data(), half, 1, 1);
     rows.fill_off();
     std::fill_n(volume.on.begin() + half, width - half, uint8_t{0});
@@ -288,11 +288,11 @@ TEST_CASE_TEMPLATE("samples may have any address and start at any column", Sampl
     for (uint32_t column = 0; column < 32; ++column)
       for (uint32_t count = 0; count <= 130; ++count)
         for (uint32_t stride = 1; stride <= 3; ++stride) {
-          // Not a sample more than are read, so that sanitizers notice.
+          // Exactly as many samples as are read, so that sanitizers detect others.
           const uint32_t span = count == 0 ? 0 : (count - 1) * stride + 1;
           const auto memory = std::make_unique<Sample[]>(place + span);
           Sample* const samples = memory.get() + place;
-          // Often many in turn are alike.
+          // Often many equal samples in sequence.
           const uint32_t rarity = 1 + random() % 64;
           const bool most = random() % 2 != 0;
           for (uint32_t i = 0; i < span; ++i)
@@ -330,7 +330,7 @@ TEST_CASE("a row is written as its bits, and the bits beyond its width are off")
     std::mt19937 random(width);
     Rows rows(limits);
     std::vector<uint8_t> bits((width + 7) / 8, 0xFF), written(bits.size() + 1, 0x5A);
-    // Around it there are rows that are on.
+    // The rows around it are on.
     for (uint32_t row = 0; row < detail::trace::swept_rows(limits.height) + 2; ++row) {
       rows.append_bits(bits.data());
       rows.next_row();
@@ -340,7 +340,7 @@ TEST_CASE("a row is written as its bits, and the bits beyond its width are off")
     rows.append_bits(bits.data());
     rows.write_bits(written.data());
     bits.back() = static_cast<uint8_t>(0xFF >> (8 * bits.size() - width));
-    bits.push_back(0x5A);  // and what lies behind stays
+    bits.push_back(0x5A);  // and the words behind it stay unchanged
     CHECK(written == bits);
   }
 }

@@ -1,4 +1,4 @@
-// When fragments go out loose: as late as possible, and such that many regions stay whole.
+// Fragments are sent loose as late as possible, so that many regions stay whole.
 #include <discmc/trace/fragments.hpp>
 
 #include "oracle/scan.hpp"

@@ -1,5 +1,6 @@
-// Holes belong to the ring around them, in planes of every direction; without one, they go out
-// loose.
+// Holes are assigned to the ring around them, in planes of every direction. Holes without such a
+// ring are sent loose.
+#include <discmc/trace/delivery.hpp>
 #include <discmc/trace/holes.hpp>
 
 #include "oracle/agreement.hpp"
@@ -12,8 +13,8 @@ using namespace discmc::reference;
 
 namespace {
 
-// The voxels on one side of a plane, except for some. The plane then has rings and holes of many
-// shapes, rings within holes, and rings beside others.
+// The voxels on one side of a plane, except for some. The plane has rings and holes of many shapes,
+// nested rings, and adjacent rings.
 BitVolume half_space(Size size, const Vertex& n, uint32_t noise, uint64_t seed) {
   BitVolume volume = random(size, noise, seed);
   const auto middle = [](uint32_t extent) { return static_cast<int32_t>(extent / 2); };
@@ -27,7 +28,7 @@ BitVolume half_space(Size size, const Vertex& n, uint32_t noise, uint64_t seed) 
   return volume;
 }
 
-// With lists of holes, and with a tree: the regions, and the events.
+// Compares the regions and events of holes in lists and in a tree.
 std::string unlike_with_either(const BitVolume& volume) {
   const Collector lists = scan<uint16_t>(volume), tree = scan<uint32_t>(volume);
   if (lists.regions() != tree.regions()) return "the tree's regions differ from those of the lists";
@@ -84,7 +85,8 @@ TEST_CASE("a hole belongs to its own ring, although a corner of another is on it
 }
 
 TEST_CASE("a hole is assigned to its own ring, even if its slot is reused") {
-  // Behind noise, pairs of plates side by side, of which one closes while the other's hole waits.
+  // Noise, followed by pairs of adjacent plates. One plate closes while the hole of the other
+  // waits.
   const BitVolume noise = random({40, 36, 2}, 128, 8);
   BitVolume volume({40, 36, 5});
   std::copy(noise.on.begin(), noise.on.end(), volume.on.begin());
@@ -120,8 +122,8 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and at the end if no ring encl
     ring.start = {2, 1, z};
     typename detail::trace::RunLists<Index, NoNormal>::Entry run;
     run.run = detail::trace::short_run(0, 1);
-    ring.last = no_slot;
-    detail::trace::RunLists<Index, NoNormal>::append(slots, ring.last, run);
+    ring.runs = no_slot;
+    detail::trace::RunLists<Index, NoNormal>::append(slots, ring.runs, run);
     holes.keep(slots, ring);
     CHECK(is_on(z));
   }
@@ -133,11 +135,46 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and at the end if no ring encl
     CHECK(ring.incidence == incidence);
     CHECK(is_on(ring.start.z));
     CHECK(holes.mark(slots, ring) == 1);
-    holes.remove(slots, ring.last, start);
-    detail::trace::RunLists<Index, NoNormal>::release(slots, ring.last);
+    holes.remove(slots, ring.runs, start);
+    detail::trace::RunLists<Index, NoNormal>::release(slots, ring.runs);
     CHECK(start == ring.start);
     CHECK(!is_on(start.z));
     CHECK(slots.in_use() == (left - 1) * slots_each_hole);
+  }
+}
+
+TEST_CASE_TEMPLATE("a hole that closes with too few spare slots is sent as a loose fragment", Index,
+                   uint16_t, uint32_t) {
+  using Fragments = detail::trace::Fragments<Index, NoNormal>;
+  using Delivery = detail::trace::Delivery<Index, NoNormal, true>;
+  constexpr uint32_t enough =
+      minimum_capacities().slots + detail::trace::Holes<Index, NoNormal>::slots_each;
+  for (const uint32_t spare : {enough, enough - 1}) {
+    CAPTURE(spare);
+    detail::trace::Slot<Index, NoNormal> memory[300];
+    detail::trace::Queue<Index> queues[detail::trace::queue_count];
+    Index heads[16];
+    Fragments fragments;
+    fragments.start(memory, 300, queues);
+    fragments.clear();
+    Delivery delivery;
+    delivery.start(heads, 1);
+    delivery.clear();
+    Index runs = no_slot;
+    for (const Direction direction :
+         {Direction{0}, Direction{6}, Direction{4}, Direction{2}}) {  // a square, clockwise
+      typename Fragments::Lists::Entry run;
+      run.run = detail::trace::short_run(direction, 1);
+      Fragments::Lists::append(fragments.slots(), runs, run);
+    }
+    while (fragments.spare() > spare) (void)fragments.slots().allocate();
+    fragments.set_outgoing(detail::trace::Outgoing<Index>::Kind::ring, 22, runs, {4, 4, 1});
+    EventLog log;
+    Statistics statistics{};
+    CHECK(delivery.deliver(fragments, make_sink(log), statistics));
+    CHECK(delivery.holes().count() == (spare == enough ? 1 : 0));
+    CHECK(statistics.fragments == (spare == enough ? 0 : 1));
+    CHECK(log.events.size() == (spare == enough ? 0 : 6));  // the fragment, four runs, its end
   }
 }
 
@@ -164,8 +201,8 @@ TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
 }
 
 TEST_CASE("each ring on a plane gets its own holes from many") {
-  // A plate with holes, islands in the holes, holes in the islands. It has slots at an angle across
-  // it, with thin islands in them, and teeth along two of its sides.
+  // A plate with holes, islands in the holes, and holes in the islands. Slots cross it at an angle,
+  // with thin islands in them. Two of its sides have teeth.
   BitVolume plate({61, 47, 3});
   for (int64_t y = 1; y < 46; ++y)
     for (int64_t x = 1; x < 60; ++x) {
@@ -243,8 +280,8 @@ TEST_CASE("a loose hole is sent before the last piece of the ring around it") {
 
 namespace {
 
-// The events of a slab that scans `volume`. From the event `refused` on, the sink refuses all until
-// the end of the scan.
+// Returns the events of a slab that scans `volume`. The sink refuses all events from `refused` on,
+// until the end of the scan.
 Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& capacities,
                    size_t refused = SIZE_MAX) {
   bool refuses = true;
@@ -277,10 +314,10 @@ TEST_CASE("a hole whose ring was sent loose before it follows at the end of the 
     const Events events = slab_events(volume, below, few);
     const Collector below_it = collected(events, below);
     CHECK(unlike_joined({below_it, above_it}, merged) == "");
-    // All of a ring, where all that came before it ends at the seam.
+    // A whole ring, although all events before it end at the seam.
     const Fragment& last = below_it.loose().back();
     CHECK(is_closed(last.incidence, last.runs.data(), static_cast<uint32_t>(last.runs.size())));
-    // Its first and its last event, and the end of the scan.
+    // Its first and last event, and the end of the scan.
     for (const size_t back : {last.runs.size() + 3, size_t{2}, size_t{1}})
       CHECK(slab_events(volume, below, few, events.size() - back) == events);
   }

@@ -1,4 +1,4 @@
-// A lean extractor sends the surface of the scans that it accepts, and refuses the others.
+// A lean extractor sends the surface of the scans that it accepts, and refuses all others.
 #include <discmc/trace/extractor_definitions.hpp>
 
 #include "oracle/agreement.hpp"

@@ -1,4 +1,4 @@
-// A queue keeps the order of ends and of lost ends, for any number of lost ends.
+// A queue keeps the order of ends and lost ends, for any number of lost ends.
 #include <discmc/trace/queues.hpp>
 
 #include <discmc/trace/passes.hpp>
@@ -32,7 +32,7 @@ class Ends {
   void lose(uint32_t count) {
     for (; count > 0; --count) queues_.push_lost(pool_, number);
   }
-  // Removes the next entry: an end, which is given back, or no_slot.
+  // Removes the next entry, releases it, and returns it; no_slot for a lost end.
   Index pop() {
     const Index end = queues_.pop(pool_, number);
     if (end != no_slot) pool_.release(end);
@@ -57,7 +57,7 @@ class Ends {
 }  // namespace
 
 TEST_CASE_TEMPLATE("lost ends keep their places among other ends", Index, uint16_t, uint32_t) {
-  // More than two bytes count.
+  // A count that needs more than two bytes.
   for (const uint32_t many : {1U, 2U, 0xFFFFU, 0x10000U, 0x30001U}) {
     CAPTURE(many);
     Ends<Index> ends;
@@ -76,7 +76,7 @@ TEST_CASE_TEMPLATE("lost ends keep their places among other ends", Index, uint16
     CHECK(ends.pop_lost(many) == many);
     CHECK(ends.pop() == third);
     CHECK(ends.in_use() == 0);
-    // A queue in which only lost ones are left.
+    // A queue with only lost ends.
     ends.push();
     ends.lose(many);
     CHECK(ends.pop() != no_slot);
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("lost ends keep their places among other ends", Index, uint16
   }
 }
 
-// Room for a batch of edges in every queue rests on it.
+// The room for a batch of edges in every queue depends on this.
 TEST_CASE("each queue of a vertex has at most one incoming and one outgoing pass") {
   uint32_t most = 0, recurrences = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -96,8 +96,8 @@ TEST_CASE("each queue of a vertex has at most one incoming and one outgoing pass
         most = std::max<uint32_t>(most, passes.count);
         for (uint32_t i = 0; i < passes.count; ++i)
           for (uint32_t j = 0; j < i; ++j)
-            recurrences +=
-                passes.pass[i].in == passes.pass[j].in || passes.pass[i].out == passes.pass[j].out;
+            recurrences += passes.pass[i].in_queue == passes.pass[j].in_queue ||
+                           passes.pass[i].out_queue == passes.pass[j].out_queue;
       }
   CHECK(recurrences == 0);
   CHECK(most == detail::trace::PassList::max_passes);

@@ -10,7 +10,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Whether a chain that comes and goes so has a top between.
+// Whether a chain has a top between these links.
 bool is_top(const Vertex& came, const Vertex& goes) {
   return precedes({0, 0, 0}, came) && precedes(goes, {0, 0, 0});
 }
@@ -25,7 +25,7 @@ TEST_CASE("a plane has at most one top at each vertex") {
       uint32_t tops_of[incidence_codes] = {};
       for (int i = 0; i < passes.count; ++i) {
         const detail::trace::Pass& pass = passes.pass[i];
-        if (!is_top(link_vector(pass.incoming), link_vector(pass.first))) continue;
+        if (!is_top(link_vector(pass.incoming), link_vector(pass.outgoing))) continue;
         ++tops;
         most = std::max(most, ++tops_of[pass.incidence]);
       }

@@ -24,7 +24,7 @@ struct Pooled {
   }
 };
 
-// A list, and what must be in it.
+// A list, and its expected contents.
 struct List {
   uint16_t last = no_slot;
   std::deque<detail::trace::ShortRun> runs;
@@ -58,7 +58,7 @@ struct List {
   }
 };
 
-// Some runs behind the others and some before them.
+// Appends and prepends runs.
 List list_of(Pooled& pooled, uint32_t appended, uint32_t prepended) {
   List list;
   for (uint32_t i = 1; i <= appended || i <= prepended; ++i) {

@@ -1,4 +1,4 @@
-// Slabs of a volume: joined, and added up, they are the whole.
+// The slabs of a volume, joined, equal the whole volume; their counts add up to its counts.
 #include <discmc/normal_extractor.hpp>
 #include "host/host_extractor.hpp"
 
@@ -12,7 +12,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Both slabs at a seam count parts of its cells. Sums that are not whole are left out.
+// Both slabs at a seam count parts of its cells. Sums that are not whole are not compared.
 bool adds_up(uint64_t sum, uint64_t whole, size_t slabs) {
   return sum <= whole && whole - sum < slabs;
 }
@@ -42,15 +42,15 @@ TEST_CASE("slabs join to the whole, and their counts add up except at seams") {
 }
 
 TEST_CASE("a slab without its own slice has no surface, for any context") {
-  struct Place {  // the layer below the first slice of a closed border is not at a seam
+  struct Below {  // the layer below the first slice of a closed border is not at a seam
     Border border;
     bool continues_below;
   };
   const BitVolume full = box({5, 4, 2}, {0, 0, 0}, {4, 3, 1}), rough = random({5, 4, 2}, 128, 1);
   for (const BitVolume* const volume : {&full, &rough})
-    for (const Place& place :
-         {Place{Border::closed, true}, {Border::open, false}, {Border::open, true}}) {
-      const auto [border, continues_below] = place;
+    for (const Below& below :
+         {Below{Border::closed, true}, {Border::open, false}, {Border::open, true}}) {
+      const auto [border, continues_below] = below;
       Limits limits{5, 4, border};
       limits.slab.first = continues_below ? 7 : 0;
       limits.slab.continues_below = continues_below;

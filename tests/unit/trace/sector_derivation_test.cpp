@@ -1,7 +1,7 @@
-// The tracer's tables, which the compiler derives, derived again at run time. Both must be equal,
+// Derives the tracer's tables again at run time. They equal the tables that the compiler derived,
 // and the coverage of the source can be measured.
 //
-// The source is compiled in here; the library's object of it is then not linked.
+// Includes the source, so the linker omits the library's object of it.
 #include <discmc/trace/sector_table.cpp>
 
 #include <string.h>
@@ -16,7 +16,7 @@ namespace {
 
 TEST_CASE("the sector table derived at run time has the right sectors") {
   SectorTable table{};
-  table = derive::sector_table();  // as an initialised table, the compiler would derive it
+  table = derive::sector_table();  // a constant would be derived by the compiler
   CHECK(reference::broken(table) == nullptr);
   CHECK(are_all_queues_used());
   CHECK(memcmp(table.cell, sector_table.cell, sizeof table.cell) == 0);
@@ -36,7 +36,7 @@ TEST_CASE("row lines derived at run time equal those of the compiler") {
 TEST_CASE("link steps derived at run time equal those of the compiler") {
   LinkSteps again{};
   again = derive::link_steps();
-  CHECK(memcmp(&again, &link_steps, sizeof again) == 0);  // there are no gaps
+  CHECK(memcmp(&again, &link_steps, sizeof again) == 0);  // the numbers have no gaps
 }
 
 TEST_CASE("cell edge numbers derived at run time equal those of the compiler") {

@@ -1,4 +1,4 @@
-// What is scanned on this board, and in how much memory.
+// The scan of this board, and its memory.
 #pragma once
 
 #include <stddef.h>

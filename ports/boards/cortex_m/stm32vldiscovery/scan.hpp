@@ -1,4 +1,4 @@
-// What is scanned on this board, and in how much memory.
+// The scan of this board, and its memory.
 #pragma once
 
 #include <stddef.h>
@@ -10,7 +10,7 @@ namespace scan {
 using Sample = uint8_t;
 constexpr discmc::Limits limits{64, 64};
 constexpr uint32_t depth = 128;              // slices, for the header of the stream
-constexpr int32_t spacing_nm[] = {0, 0, 0};  // not known
+constexpr int32_t spacing_nm[] = {0, 0, 0};  // unknown
 constexpr int32_t threshold = 100;
 constexpr size_t arena_bytes = 5272;
 

@@ -15,7 +15,7 @@ import sys
 
 
 def read(path, functions):
-    """Runs a file of definitions; a name that it uses and functions lack is an error."""
+    """Runs a file of definitions. Names that are not in `functions` are errors."""
     exec(compile(path.read_text(), str(path), "exec"), {"__builtins__": {}, **functions})
 
 
@@ -39,7 +39,7 @@ def modules_of(project):
 
 
 def targets_of(folder):
-    """The rules that a BUILD.bazel calls, by name, with their files found."""
+    """The rules in a BUILD.bazel by name, with their files."""
     targets, loaded = {}, {}
 
     def rule(kind):
@@ -57,7 +57,7 @@ def targets_of(folder):
         assert label == "@rules_cc//cc:defs.bzl", label
         loaded.update({name: rule(name) for name in names})
 
-    # A rule may be called only after it was loaded.
+    # A rule must be loaded before its first call.
     late = {n: lambda n=n, **k: loaded[n](**k) for n in ("cc_library", "cc_binary")}
     read(folder / "BUILD.bazel", {"load": load, "glob": glob, **late})
     return targets

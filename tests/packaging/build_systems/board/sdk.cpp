@@ -1,5 +1,5 @@
-// What firmware without a vendor's SDK has of one: a UART that waits for room, and the standard
-// output on it. The program ends with main(), which the linker wraps (--wrap=main).
+// The parts of a vendor's SDK: a UART that waits for room, and standard output on it. The program
+// ends with main(), which the linker wraps (--wrap=main).
 #include "sdk.h"
 
 #include <board.hpp>

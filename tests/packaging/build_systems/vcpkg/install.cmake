@@ -1,8 +1,7 @@
 # A stand-in for `vcpkg install`.
 #   cmake -DPORT_DIR=... -DROOT=... -P install.cmake
-# Runs the portfile in script mode with the variables that vcpkg's documentation names. Does what its
-# helpers do, checks what vcpkg checks after a build, and installs to ROOT/installed/TRIPLET. Both
-# configurations are compiled with -O0, to be quick.
+# Runs the portfile in script mode with the variables in vcpkg's documentation. Implements the helpers and the checks
+# after a build, and installs to ROOT/installed/TRIPLET. Both configurations are compiled with -O0, to save time.
 cmake_minimum_required(VERSION 3.21)
 
 file(READ ${PORT_DIR}/vcpkg.json manifest)
@@ -18,7 +17,7 @@ function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# A helper is there if the manifest depends on the port that brings it.
+# A helper exists if the manifest depends on the port that provides it.
 function(needs port)
   string(JSON count LENGTH ${manifest} dependencies)
   math(EXPR last "${count} - 1")
@@ -107,7 +106,7 @@ endfunction()
 
 include(${PORT_DIR}/portfile.cmake)
 
-# What vcpkg complains of after a build.
+# The checks of vcpkg after a build.
 foreach(file IN ITEMS include share/${PORT}/copyright share/${PORT}/${PORT}-config.cmake share/${PORT}/usage)
   if(NOT EXISTS ${CURRENT_PACKAGES_DIR}/${file})
     message(FATAL_ERROR "${PORT} has installed no ${file}")

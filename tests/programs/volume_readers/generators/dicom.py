@@ -1,4 +1,4 @@
-"""DICOM by pydicom: a series of one file a slice."""
+"""DICOM by pydicom: a series with one file per slice."""
 import numpy
 import pydicom
 from pydicom.dataset import FileDataset, FileMetaDataset
@@ -9,7 +9,7 @@ from cases import Case, dims, generator, origin, place_of, rotation, samples, sp
 
 
 def decimal(number):
-    """At most 16 characters, as the standard has it."""
+    """At most 16 characters, as in the standard."""
     return f"{number:.9g}"
 
 
@@ -40,7 +40,7 @@ def series(random, folder):
     end = 1 << stored_bits - int(is_signed)
     values, iso = samples(random, dims(random), dtype, (-end if is_signed else 0, end - 1))
     directions, step, at = rotation(random), spacing(random), origin(random)
-    # Slices follow each other along the normal: the axes are right-handed in the end.
+    # Slices follow each other along the normal, so the axes become right-handed.
     directions[:, 2] = numpy.cross(directions[:, 0], directions[:, 1])
     common = pydicom.Dataset()
     common.Modality, common.PatientName, common.PatientID = "CT", "Nobody", "0"

@@ -16,7 +16,7 @@ TYPES = ["u1", "i2", "u2", "i4", "u4"]
 
 
 def decimal(number):
-    """At most 16 characters, as the standard has it."""
+    """At most 16 characters, as in the standard."""
     return f"{number:.9g}"
 
 
@@ -25,7 +25,7 @@ def decimals(numbers):
 
 
 class Scan:
-    """A volume, by x, y and z, and where it lies: along the normal of its slices."""
+    """A volume, by x, y and z, and its placement: along the normal of its slices."""
 
     def __init__(self, random, types=TYPES):
         self.random = random
@@ -62,7 +62,7 @@ def file(scan, storage, modality, syntax=None):
 
 
 def add_pixels(data, pixels):
-    """pixels: rows of a slice, or of several."""
+    """pixels: rows of one slice or several."""
     data.SamplesPerPixel, data.PhotometricInterpretation = 1, "MONOCHROME2"
     data.Rows, data.Columns = pixels.shape[-2:]
     data.BitsAllocated = data.BitsStored = 8 * pixels.itemsize
@@ -85,7 +85,7 @@ def save(data, path):
 
 
 def write_frames(scan, folder, data, sequence=None):
-    """All slices in one file. sequence: their order, if it is another."""
+    """All slices in one file. sequence: their order, if not ascending."""
     order = numpy.arange(scan.depth) if sequence is None else sequence
     data.NumberOfFrames = str(scan.depth)
     add_pixels(data, scan.values.T[order])
@@ -109,7 +109,7 @@ def cone_beam(random, folder):
 @generator("DICOM doses, by pydicom")
 def dose(random, folder):
     scan = Scan(random, ["u2", "u4"])
-    # Offsets that are positions need it.
+    # Required if offsets are positions.
     scan.directions, scan.step[2] = numpy.eye(3), round(scan.step[2], 1)
     scan.place = place_of(scan.directions, scan.step, scan.at)
     data = one_position(scan, RTDoseStorage, "RTDOSE")
@@ -154,7 +154,7 @@ def enhanced(random, folder):
 
 
 def csa_header(slices, normal):
-    """As Siemens writes it: six items an element, of which those behind the last value are empty."""
+    """Like Siemens: six items per element; those after the last value are empty."""
     elements = {"EchoLinePosition": ["64"], "NumberOfImagesInMosaic": [str(slices)],
                 "SliceNormalVector": [f"{component:.8f}" for component in normal]}
     header = b"SV10\4\3\2\1" + struct.pack("<II", len(elements), 77)
@@ -231,7 +231,7 @@ def segmentation(random, folder):
     told.SpacingBetweenSlices = decimal(scan.step[2])
     shared.PixelMeasuresSequence = shared.PlaneOrientationSequence = Sequence([told])
     data.SharedFunctionalGroupsSequence = Sequence([shared])
-    # Empty slices in the middle are mostly left out.
+    # Empty slices in the middle are often omitted.
     order = [z for z in random.permutation(scan.depth)
              if scan.values[:, :, z].any() or z in (0, scan.depth - 1)]
     groups = []

@@ -16,7 +16,7 @@ TYPES = {"u1": "unsigned_char", "i1": "char", "u2": "unsigned_short", "i2": "sho
 
 
 def written(random, folder, name, types=tuple(TYPES), compressed=None, directions=None):
-    """What ITK writes. directions: else of any kind."""
+    """Volumes written by ITK. directions: any, if not given."""
     dtype = str(random.choice(types))
     values, iso = samples(random, dims(random), dtype)
     raw = folder / "volume.samples"
@@ -34,7 +34,7 @@ def written(random, folder, name, types=tuple(TYPES), compressed=None, direction
 
 
 def read(folder, file):
-    """What ITK reads."""
+    """Volumes read by ITK."""
     raw = folder / "read.samples"
     done = subprocess.run([PROGRAM, "read", file, raw], check=True, stdout=subprocess.PIPE, text=True)
     told = json.loads(done.stdout)
@@ -101,7 +101,7 @@ def nrrd_header(random, folder):
               "sizes: " + " ".join(map(str, values.shape)), f"encoding: {encoding}",
               f"endian: {'little' if order == '<' else 'big'}"]
     place = random_place(random)
-    # LAS is left-handed: every program has its own mind about it.
+    # Programs disagree about LAS, which is left-handed.
     space = str(random.choice(["left-posterior-superior", "LPS", "right-anterior-superior", "RAS"]))
     fields += [f"space: {space}", f"space origin: {vector(place[:3, 3])}",
                "space directions: " + " ".join(vector(place[:3, axis]) for axis in range(3)),
@@ -120,7 +120,7 @@ def nrrd_header(random, folder):
     if is_detached:
         (folder / "volume.samples").write_bytes(bytes_)
         fields.append("data file: volume.samples")
-    # The fields may come in any order, but for those that others are counted by.
+    # The fields may have any order, except those on which the lengths of others depend.
     tail = fields[3:]
     random.shuffle(tail)
     tail.sort(key=lambda field: not field.startswith("space:"))

@@ -1,4 +1,4 @@
-"""NIfTI and MGH by nibabel: written, and read back for what they tell; packed by Python."""
+"""NIfTI and MGH by nibabel: written, and read back for the expected results; packed by Python."""
 import bz2
 import lzma
 import pathlib
@@ -13,14 +13,14 @@ MILLIMETRES = {"mm": 1, "micron": 1e-3, "meter": 1e3}
 
 
 def oblique(random, place):
-    """As what registers volumes leaves it: no rotation any more."""
+    """An affine matrix that is no rotation, as after registration."""
     place = place.copy()
     place[:3, :3] = (numpy.eye(3) + random.uniform(-0.2, 0.2, (3, 3))) @ place[:3, :3]
     return place
 
 
 def read(file):
-    """The case that a file is, as nibabel reads it."""
+    """The expected result, as nibabel reads the file."""
     image = nibabel.load(file)
     unit = MILLIMETRES[image.header.get_xyzt_units()[0]]
     place = numpy.diag([unit, unit, unit, 1]) @ image.affine
@@ -56,7 +56,7 @@ def nifti(random, folder):
     image.header.set_xyzt_units(str(random.choice(list(MILLIMETRES))))
     slope, intercept = 1.0, 0.0
     if random.random() < 0.4:
-        # Few bits: discmc reads the decimal number that a float was made from, nibabel the float.
+        # Few bits, because discmc reads the decimal number behind a float, and nibabel the float.
         slope, intercept = float(random.integers(1, 200)) / 64, float(random.integers(-1024, 9))
         image.header.set_slope_inter(slope, intercept)
     nibabel.save(image, file)

@@ -1,4 +1,4 @@
-"""TIFF by tifffile: plain, as ImageJ has it, and as OME."""
+"""TIFF by tifffile: plain, for ImageJ, and as OME."""
 import numpy
 import tifffile
 
@@ -8,14 +8,14 @@ COMPRESSIONS = [None, "zlib"]  # the others take imagecodecs
 
 
 def written(random, file, types, step, **options):
-    """step: the spacing that the file is to tell."""
+    """step: the spacing to write."""
     values, iso = samples(random, dims(random), str(random.choice(types)))
     tifffile.imwrite(file, numpy.ascontiguousarray(values.T), photometric="minisblack", **options)
     return Case(str(file), values, place_of(numpy.eye(3), step, (0, 0, 0)), "voxel", iso=iso)
 
 
 def layout(random):
-    """How samples lie in the file."""
+    """The storage of samples in the file."""
     options = {"byteorder": str(random.choice(["<", ">"])), "bigtiff": bool(random.integers(2)),
                "compression": COMPRESSIONS[random.integers(2)]}
     if options["compression"] and random.random() < 0.5:
@@ -43,7 +43,7 @@ def imagej(random, folder):
     unit, millimetres = [("mm", 1), ("um", 1e-3), ("micron", 1e-3), ("\\u00B5m", 1e-3), ("cm", 10),
                          ("inch", 25.4), ("nm", 1e-6)][random.integers(7)]
     step = step / millimetres
-    # Fractions are what TIFF has.
+    # TIFF stores fractions.
     fractions = [(int(round(1e6 / each)), 10 ** 6) if each < 100 else (10 ** 6, int(round(1e6 * each)))
                  for each in step[:2]]
     told = [fraction[1] / fraction[0] for fraction in fractions] + [step[2]]

@@ -1,4 +1,4 @@
-// In place of the header in ports/mesh: the module has no threads.
+// Replaces the header in ports/mesh, because the module has no threads.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
-# A stand-in for Zephyr's CMake package. As there:
+# A stand-in for Zephyr's CMake package. Like Zephyr:
 #   - find_package(Zephyr) comes before project(), names the compilers and makes the target app
 #   - a module is a folder with zephyr/module.yml, which names the folders of its CMakeLists.txt and Kconfig
-#   - Kconfig reads prj.conf; what it assigns in vain ends the build
+#   - Kconfig reads prj.conf; an assignment without effect ends the build
 #   - zephyr_library_named() begins a library that the functions zephyr_library_*() add to; all are
 #     linked whole into zephyr.elf, and all see zephyr_interface's include directories
 set(ZEPHYR_BASE ${CMAKE_CURRENT_LIST_DIR})
@@ -26,7 +26,7 @@ endfunction()
 module_value(${ZEPHYR_EXTRA_MODULES} kconfig module_kconfig)
 module_value(${ZEPHYR_EXTRA_MODULES} cmake module_cmake)
 
-# Each CONFIG_ that is on is a variable.
+# Each CONFIG_ that is on becomes a variable.
 execute_process(COMMAND /usr/bin/python3 ${ZEPHYR_BASE}/kconfig.py ${ZEPHYR_EXTRA_MODULES}/${module_kconfig}
     ${CMAKE_SOURCE_DIR}/prj.conf ${CMAKE_BINARY_DIR}/.config
   COMMAND_ERROR_IS_FATAL ANY)

@@ -1,4 +1,4 @@
-# The part of rules_java that is inside Bazel 4. Its own packages ask for them; nothing here is Java.
+# The part of rules_java that is inside Bazel 4, required by Bazel's own packages. No Java is compiled.
 java_binary = native.java_binary
 java_import = native.java_import
 java_library = native.java_library

@@ -1,7 +1,7 @@
-# A stand-in for ESP-IDF's build system. What it does with components is done as there:
+# A stand-in for ESP-IDF's build system. It processes components like ESP-IDF:
 #   - the dependencies in the manifests (idf_component.yml) of `main` name components with a path
 #   - each component's CMakeLists.txt is first read by `cmake -P`, where idf_component_register()
-#     notes the requirements and returns; project() and targets are not to be had there
+#     records the requirements and returns; project() and targets do not exist there
 #   - then it is read by add_subdirectory(), where idf_component_register() makes the library
 # ESP-IDF's own component `driver` writes to the board's UART.
 set(IDF_CMAKE ${CMAKE_CURRENT_LIST_DIR})

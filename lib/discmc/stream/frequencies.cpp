@@ -1,10 +1,10 @@
-#include <discmc/stream/shares.hpp>
+#include <discmc/stream/frequencies.hpp>
 
 namespace discmc::detail::stream {
 
 // Printed by train_record_model (tests/bench).
 // clang-format off
-const uint8_t shares[rows::end + 1] = {
+const uint8_t cumulative_frequencies[contexts::end + 1] = {
 0, 236, 237, 241, 243, 249, 250, 254, 255, 0, 147, 148, 216, 245, 248, 249, 254, 255, 0, 18, 19,
 204, 248, 249, 250, 254, 255, 0, 91, 118, 127, 133, 138, 141, 143, 145, 182, 188, 228, 232, 0, 188,
 227, 253, 0, 2, 210, 247, 0, 9, 20, 251, 0, 139, 190, 218, 0, 158, 207, 244, 0, 58, 219, 244, 0, 64,

@@ -1,17 +1,19 @@
-// The probabilities of the symbols of a packet of records (record_model.hpp).
-// A row contains, for each symbol, the sum of the shares below it, in 256ths. The number after a
-// row is 0, which represents 256. The share of a symbol is the difference to the next number.
-// Shares are at least 1, except for corners that no ring has.
-#ifndef DISCMC_STREAM_SHARES_HPP
-#define DISCMC_STREAM_SHARES_HPP
+// The frequencies of the symbols of a packet of records (record_model.hpp), in 256ths.
+//
+// A context is a distribution of symbols. Its entries are cumulative: each is the sum of the
+// frequencies of all lower symbols. The entry after a context is 0, which represents 256. The
+// frequency of a symbol is the difference to the next entry: at least 1, except for corners that no
+// ring has.
+#ifndef DISCMC_STREAM_FREQUENCIES_HPP
+#define DISCMC_STREAM_FREQUENCIES_HPP
 
 #include <stdint.h>
 
 namespace discmc::detail::stream {
 
-/// The place of a chain's start relative to the vertex coded last: the distance along the row if it
-/// is short, otherwise which coordinates follow.
-namespace place {
+/// The position of a chain's start relative to the vertex coded last: the distance along the row if
+/// it is short, otherwise which coordinates follow.
+namespace start_position {
 
 constexpr uint32_t ahead = 8;  ///< further in the row
 constexpr uint32_t behind = ahead + 1;
@@ -20,20 +22,21 @@ constexpr uint32_t row_before = next_row + 1;
 constexpr uint32_t elsewhere = row_before + 1;
 constexpr uint32_t count = elsewhere + 1;
 
-}  // namespace place
+}  // namespace start_position
 
-/// The index of the first row for each kind of symbol.
-namespace rows {
+/// The index of the first context of each kind.
+namespace contexts {
 
-constexpr uint32_t of_kinds = 9;  ///< symbols of a row
+constexpr uint32_t of_kinds = 9;  ///< symbols of a context
 constexpr uint32_t of_headings = 10;
 constexpr uint32_t of_number = 11;
 constexpr uint32_t other_heading = of_headings - 1;
 
 constexpr uint32_t kinds = 0;  ///< by preceding fragments
-constexpr uint32_t places = kinds + 3 * of_kinds;
-constexpr uint32_t axes = places + place::count;  ///< by same voxel, previous axis
-constexpr uint32_t steps_x = axes + 2 * 4 * 4;    ///< by place, from `ahead` on
+constexpr uint32_t start_positions = kinds + 3 * of_kinds;
+constexpr uint32_t axes =
+    start_positions + start_position::count;    ///< by same voxel, previous axis
+constexpr uint32_t steps_x = axes + 2 * 4 * 4;  ///< by start_position, from `ahead` on
 constexpr uint32_t steps_y = steps_x + 5 * of_number;
 constexpr uint32_t steps_z = steps_y + of_number;
 constexpr uint32_t headings = steps_z + of_number;        ///< by previous heading
@@ -43,16 +46,17 @@ constexpr uint32_t is_last = longer + 4 * of_number;      ///< by chain, level
 constexpr uint32_t plain = is_last + 3 * 2 * 2;
 constexpr uint32_t of_diagonals = plain + of_number;
 
-// Each class has further rows together: first the rows of equal number in each class.
+// Each class of links has a block of further contexts. First in a block come those that all classes
+// have in equal number. Offsets are relative to the block.
 constexpr uint32_t ring_direction = 0;
 constexpr uint32_t two_lengths = ring_direction + 4;
 constexpr uint32_t by_direction = two_lengths + 4 * 4;
-// These rows exist per direction. Their offsets count directions; a row of `turn` has two symbols
-// each.
+// The symbols of these contexts are directions; a context of `turn` has two symbols per direction.
+// Offsets count directions, from by_direction on.
 constexpr uint32_t cut_turn = 0;  ///< 2, by level
 constexpr uint32_t first_direction = cut_turn + 2;
 constexpr uint32_t turn = first_direction + 1;  ///< of two; across an axis by parity
-// Then follows a row of corners.
+// The last context of a block.
 constexpr uint32_t corners(uint32_t link_class) {
   return by_direction + (4 + 2 * link_class) * (turn + (link_class == 2 ? 2 * 2 : 2));
 }
@@ -60,17 +64,17 @@ constexpr uint32_t of_corners(uint32_t link_class) {
   return 1 + (link_class + 1) * (link_class + 1) * (link_class + 1);
 }
 
-/// Returns the first row of a class, or the end for the class after the last.
+/// Returns the block of a class, or the end for the class after the last.
 constexpr uint32_t of_class(uint32_t link_class) {
-  uint32_t row = of_diagonals;
-  for (uint32_t i = 0; i < link_class; ++i) row += corners(i) + of_corners(i);
-  return row;
+  uint32_t block = of_diagonals;
+  for (uint32_t i = 0; i < link_class; ++i) block += corners(i) + of_corners(i);
+  return block;
 }
 constexpr uint32_t end = of_class(3);
 
-}  // namespace rows
+}  // namespace contexts
 
-extern const uint8_t shares[rows::end + 1];
+extern const uint8_t cumulative_frequencies[contexts::end + 1];
 
 }  // namespace discmc::detail::stream
 
