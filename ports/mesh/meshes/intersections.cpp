@@ -52,8 +52,7 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
         std::optional<ComparedTriangle> compared;
         tree.for_each_near_pair(number, [&](std::uint32_t place, std::uint32_t other_place) {
           const std::uint32_t one = faces[place], other = faces[other_place];
-          if (!compared || compared->numbers != mesh.face(one))
-            compared.emplace(placed(mesh, one));
+          if (!compared || compared->numbers != mesh.face(one)) compared.emplace(placed(mesh, one));
           if (intersect(mesh, *compared, other))
             found.push_back({std::min(one, other), std::max(one, other)});
         });
