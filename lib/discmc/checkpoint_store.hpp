@@ -217,9 +217,9 @@ class CheckpointStore {
   void place_of(uint32_t slot, uint32_t unit, uint32_t& block, uint32_t& offset) const;
   void complete();
   Status fail();
-  void break_off();
+  void cancel_save();
   uint32_t group_of(uint32_t slot) const { return slot / plan_.slots_per_block; }
-  void go_to_other_blocks();
+  void skip_to_next_blocks();
 
   FlashDevice device_;
   StorePlan plan_;

@@ -61,7 +61,7 @@ TEST_CASE("a hollow that is open to the border is not filled") {
   CHECK(volumes_after_filling(volume) == std::vector<double>{before});
 }
 
-TEST_CASE("--fill takes cavities from a mesh") {
+TEST_CASE("--fill removes cavities from a mesh") {
   const command_tests::Workshop workshop;
   BitVolume volume = block();
   workshop.write("whole.nrrd", volume);

@@ -69,7 +69,7 @@ TEST_CASE_FIXTURE(Workshop, "meshes are compared in millimetres") {
   for (const auto& [name, row] : distances) CHECK(row == std::vector<double>{3, 3, 3});
 }
 
-TEST_CASE_FIXTURE(Workshop, "meshes that discmc writes are those that it reads") {
+TEST_CASE_FIXTURE(Workshop, "meshes that discmc writes are read unchanged") {
   const auto ball = discmc::reference::ball({9, 9, 9}, {8, 8, 8}, 40);
   write("v.nrrd", ball, "spacings: 1 1 2\n");
   done("extract v.nrrd --iso 100 -q -o v.dmc");
@@ -110,7 +110,7 @@ TEST_CASE_FIXTURE(
     fails(command, 1, {"v.vtp: this is a mesh", ".stl, .ply"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a volume is compared where it lies in space, as its mesh is") {
+TEST_CASE_FIXTURE(Workshop, "a placed volume is compared at its position in space, like its mesh") {
   const auto ball = discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 100);
   const auto distances_of = [&](const std::string& directions) {
     write("v.nrrd", ball,

@@ -60,7 +60,7 @@ std::vector<double> volumes_of(const FaceMesh& mesh) {
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
     const std::uint32_t* const corners = mesh.face(face);
     const auto at = [&](std::size_t i) { return mesh.vertices_mm[corners[i]]; };
-    volumes[pieces.name(face)] += dot(at(0), cross(at(1), at(2))) / 6;
+    volumes[pieces.root(face)] += dot(at(0), cross(at(1), at(2))) / 6;
   }
   std::vector<double> sorted;
   for (const auto& each : volumes) sorted.push_back(each.second);

@@ -41,7 +41,7 @@ TEST_CASE_FIXTURE(Folder, "frames without any distance are 1 mm apart, with a no
   CHECK(open_volume(file, options)->info().spacing_mm == Spacing{1, 1, 3});
 }
 
-TEST_CASE_FIXTURE(Folder, "frames that have times are taken as slices with a note") {
+TEST_CASE_FIXTURE(Folder, "frames with times are read as slices, with a note") {
   Dataset data = cone_beam();
   data.tags(0x00280009, 0x00181063).text(0x00181063, "DS", "33");
   CHECK(noted(open_volume(write("v.dcm", data.file()))->info(),
@@ -175,7 +175,7 @@ std::vector<double> doses() {
   return values;
 }
 
-TEST_CASE_FIXTURE(Folder, "a dose is in Gy, whether its offsets are ways or positions") {
+TEST_CASE_FIXTURE(Folder, "a dose is in Gy, for relative and absolute offsets") {
   for (const std::string offsets :
        {"0\\2.5\\5\\7.5\\10", "100\\102.5\\105\\107.5\\110", "0.0\\2.5\\5.0\\7.5\\10.0"}) {
     INFO(offsets);
@@ -332,7 +332,7 @@ Dataset mosaic(const std::string& header) {
   return data.samples(picture, 16, true);
 }
 
-TEST_CASE_FIXTURE(Folder, "a mosaic of Siemens is unfolded, and lies where its first slice does") {
+TEST_CASE_FIXTURE(Folder, "a mosaic of Siemens is unfolded, and placed by its first slice") {
   for (const bool is_newer : {true, false}) {
     INFO(is_newer);
     const std::string header = csa_header(csa_elements("1.00000000"), is_newer);
@@ -343,7 +343,7 @@ TEST_CASE_FIXTURE(Folder, "a mosaic of Siemens is unfolded, and lies where its f
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "slices of a mosaic follow the way of its header") {
+TEST_CASE_FIXTURE(Folder, "slices of a mosaic follow the slice normal of its header") {
   const std::string header = csa_header(csa_elements("-1.00000000"), true);
   const auto reader = open_volume(write("v.dcm", mosaic(header).file()));
   check_places(reader->info(), {-10, -20, 90}, along_axes);

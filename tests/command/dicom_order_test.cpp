@@ -40,21 +40,21 @@ TEST_CASE_FIXTURE(Folder, "files without a preamble are found among others by th
 TEST_CASE_FIXTURE(Folder,
                   "positions that are rounded to tenths have one step within the rounding") {
   const double step = 0.625;
-  for (const bool is_told : {true, false})
+  for (const bool has_spacing : {true, false})
     for (const double begin : {40.0, 40.04}) {
-      INFO(is_told, " from ", begin);
+      INFO(has_spacing, " from ", begin);
       const auto rounded = [&](int z) { return std::round(10 * (begin + step * z)) / 10; };
       for (int z = 0; z < 16; ++z) {
         Dataset data = slice(z % depth, std::to_string(z));
         put_at(data, {-10.123456, -20, rounded(z)});
-        if (is_told) data.text(0x00180050, "DS", "0.625");
+        if (has_spacing) data.text(0x00180050, "DS", "0.625");
         write("IM" + std::to_string(z), data.file());
       }
       const auto reader = open_volume(path());
       const VolumeInfo& info = reader->info();
       CHECK(noted(info, "the positions are rounded, slices assumed to be 0.62"));
       const double found = std::fabs(info.spacing_mm[2]);
-      CHECK(found == doctest::Approx(step).epsilon(is_told ? 1e-12 : 0.01));
+      CHECK(found == doctest::Approx(step).epsilon(has_spacing ? 1e-12 : 0.01));
       for (int z = 0; z < 16; ++z)
         CHECK(std::fabs(info.placement->origin_mm[2] + z * found - rounded(z)) <= 0.05 + 1e-6);
     }
@@ -146,7 +146,7 @@ TEST_CASE_FIXTURE(Folder,
   CHECK(step[2] == doctest::Approx(0.33).epsilon(0.02));
 }
 
-TEST_CASE("the vertices of a tilted gantry lie where its voxels do") {
+TEST_CASE("a tilted gantry shears the vertices like the voxels") {
   const command_tests::Workshop workshop;
   const double tilt = 15 * std::acos(-1.0) / 180;
   const Axes axes = {

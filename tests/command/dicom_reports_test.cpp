@@ -214,7 +214,8 @@ TEST_CASE_FIXTURE(Folder, "contours are refused with the program that converts t
                 "dcmrtstruct2nii");
 }
 
-TEST_CASE_FIXTURE(Folder, "a document in a DICOM file is refused with the way to take it out") {
+TEST_CASE_FIXTURE(Folder,
+                  "a document in a DICOM file is refused with the command that extracts it") {
   Dataset data;
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.104.3").text(0x00080060, "CS", "M3D");
   data.text(0x00420012, "LO", "model/stl").bytes(0x00420011, "OB", "solid");

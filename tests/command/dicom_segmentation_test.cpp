@@ -212,7 +212,8 @@ TEST_CASE("segments that lie beside each other in other slices do not overlap") 
   CHECK(layers.at(4) == 0);
 }
 
-TEST_CASE_FIXTURE(Folder, "fractions of at least a half are of a segment, with a note") {
+TEST_CASE_FIXTURE(Folder,
+                  "voxels with a fraction of at least a half belong to the segment, with a note") {
   Voxels fractions(voxels_of_slice, 0);
   fractions[3] = 99;
   fractions[4] = 100;
@@ -237,7 +238,7 @@ TEST_CASE_FIXTURE(Folder, "a map of labels is read unchanged, also with a palett
   CHECK(read_all(*reader) == slices_of({labels, Voxels(voxels_of_slice, 0), box(1, 1, 1, 1, 2)}));
 }
 
-TEST_CASE("colours of segments are those of sRGB from which they were encoded") {
+TEST_CASE("colours of segments are converted to sRGB") {
   using discmc::command::srgb_of_cielab;
   // The colours that DCMTK, and therefore 3D Slicer, computes from these.
   CHECK(srgb_of_cielab({34889, 53479, 50166}) == Srgb{255, 0, 0});

@@ -331,7 +331,7 @@ TEST_CASE_FIXTURE(Hdf5File, "samples with fewer bits than their storage are read
   CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "bits of PyTables are truth values") {
+TEST_CASE_FIXTURE(Hdf5File, "bitfields of PyTables are read as truth values") {
   const std::vector<std::uint8_t> samples = {0, 1, 1, 0, 0, 0, 1, 0};
   {
     const Hdf5Handle opened = new_file(file);
@@ -522,7 +522,7 @@ TEST_CASE_FIXTURE(Hdf5File,
   CHECK(read_all(*open_volume(file, options))[2] == 530);
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "_Unsigned gives whole numbers the other sign, the fill value too") {
+TEST_CASE_FIXTURE(Hdf5File, "_Unsigned changes the sign of whole numbers and of the fill value") {
   for (const bool is_unsigned : {true, false}) {
     {
       const hid_t type = is_unsigned ? H5T_STD_I8LE : H5T_STD_U8LE;
@@ -729,7 +729,7 @@ void write_vtk(const fs::path& file, const char* type, const std::vector<double>
   new_dataset(group, "PointData/vtkGhostType", {4, 3, 5}, no_creation());
 }
 
-TEST_CASE_FIXTURE(Folder, "an image of VTK in HDF5 lies where its attributes place it") {
+TEST_CASE_FIXTURE(Folder, "attributes place an image of VTK in HDF5") {
   const fs::path file = path() / "v.vtkhdf";
   write_vtk(file, "ImageData", {5, 9, 0, 2, -1, 2}, "PointData/a", {4, 3, 5});
   const VolumeInfo info = open_volume(file)->info();

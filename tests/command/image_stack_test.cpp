@@ -93,7 +93,7 @@ VolumeOptions of_channel(std::uint32_t channel) {
   return with(&VolumeOptions::channel, channel);
 }
 
-TEST_CASE("a channel of a colour picture is chosen as the refusal advises") {
+TEST_CASE("the option that the refusal advises selects a channel of a colour picture") {
   check_refused(files / "rgb.png",
                 "the file holds 3 channels ('red', 'green', 'blue'), and one is read at a time; "
                 "choose one with --channel N, the first is 0");

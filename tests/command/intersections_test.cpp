@@ -57,7 +57,7 @@ TEST_CASE("shared edges and vertices are no intersections, but other contacts ar
   CHECK(intersections_of(mesh_of(vertices, {0, 1, 2, 0, 4, 5})).size() == 1);
 }
 
-TEST_CASE("the intersections are the same in any units, also where an axis runs backwards") {
+TEST_CASE("intersections do not depend on units or mirrored axes") {
   for (const Point& spacing : {Point{1e-3, 1e-3, 1e-3}, Point{1e4, 1e4, 1e4}, Point{-1, 2, -3}}) {
     FaceMesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}},
                             {0, 1, 2, 3, 4, 5});
@@ -67,7 +67,7 @@ TEST_CASE("the intersections are the same in any units, also where an axis runs 
   }
 }
 
-TEST_CASE("if some faces are wanted, the pairs found are those of all that have one, in order") {
+TEST_CASE("with some faces wanted, exactly the pairs with a wanted face are found, in order") {
   Chance chance(3);
   constexpr std::uint32_t count = 300;
   std::vector<Point> vertices;
@@ -106,7 +106,7 @@ TEST_CASE("a box contains its triangle, as closely as its bounds allow") {
   }
 }
 
-TEST_CASE("a tree finds any two boxes that overlap, and each two once") {
+TEST_CASE("a tree finds each pair of overlapping boxes exactly once") {
   for (const std::size_t count : {0U, 1U, 4U, 5U, 100U, 700U}) {
     Chance chance(static_cast<std::uint32_t>(count) + 1);
     std::vector<Box> boxes;

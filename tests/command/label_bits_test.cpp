@@ -26,7 +26,7 @@ std::unique_ptr<VolumeReader> bits_of(const std::vector<LabelSet>& sets) {
 
 }  // namespace
 
-TEST_CASE("a bit is on where the voxel has a label of its set, in any of the layers") {
+TEST_CASE("a bit is on if the voxel has a label of the set in any layer") {
   const auto volume = bits_of({{{0, {1}}},
                                {{0, {2, 3}}, {1, {-5}}},
                                {{1, {}}},

@@ -126,8 +126,8 @@ TEST_CASE_FIXTURE(Workshop, "filters do not fill voxels outside the mask") {
   CHECK(lines("--mask m.nrrd") == lines("") + of_voxel);
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "a mask changes an interpolated surface only at its border, where it is flat") {
+TEST_CASE_FIXTURE(
+    Workshop, "a mask cuts an interpolated surface flat at its border, and changes nothing else") {
   std::string samples, mask;
   for (const int sample : sampled_field::ball(14, 5.3).samples)
     samples += static_cast<char>(sample);
@@ -219,7 +219,7 @@ std::string turned(const std::string& mask, const std::array<std::size_t, 3>& or
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Masked, "a mask whose axes run otherwise than the volume's is turned") {
+TEST_CASE_FIXTURE(Masked, "a mask with other directions of axes than the volume is turned") {
   write("v.nii", nifti_at(axes, origin, {9, 8, 7}, samples));
   write("m.nii", turned(mask, {0, 1, 2}, 0));
   const std::string parts[] = {"", "--crop 1..7,2..,..5 ", "--shrink 2 "};

@@ -102,7 +102,7 @@ TEST_CASE("a displaced mask is detected if both files have a placement") {
   CHECK(offset("spacings: 1 2 4\n", "spacings: 1 2 3\n") == 3);
 }
 
-TEST_CASE_FIXTURE(Folder, "another spacing is that of the mask, too") {
+TEST_CASE_FIXTURE(Folder, "a given spacing applies to the mask, too") {
   const auto file = write("m.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
   VolumeOptions options;
   options.spacing_mm = {0.5, 2, 3};

@@ -23,7 +23,7 @@ std::unique_ptr<VolumeReader> opened(const Folder& folder, SampleType type,
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "the bounds of a volume are those of its finite samples") {
+TEST_CASE_FIXTURE(Folder, "non-finite samples do not affect the bounds of a volume") {
   const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
   const auto bounds = sample_bounds(
       *opened(*this, SampleType::f32, floats({nan, infinity, -infinity, 1000, -2000})));

@@ -138,7 +138,7 @@ TEST_CASE_FIXTURE(Ball, "a format without normals of vertices is refused before 
     fails(command + " -o no.ply --normals smooth", 2, {"--normals", "smooth"});
 }
 
-TEST_CASE_FIXTURE(Ball, "a volume is for gradient normals, and its layout for a volume") {
+TEST_CASE_FIXTURE(Ball, "--volume requires --normals gradient, and a layout requires --volume") {
   for (const std::string normals : {"", " --normals surface", " --normals none"})
     fails("decode no.dmc -o no.ply --volume no.nrrd" + normals, 2,
           {"--volume", "--normals gradient"});
@@ -161,7 +161,7 @@ TEST_CASE_FIXTURE(Ball, "a stream without normals asks for its volume, and only 
   fails(decode + " --volume turned.nrrd", 1, {"turned.nrrd", "0.5,1,2 mm", "0.5,-1,2 mm"});
 }
 
-TEST_CASE_FIXTURE(Ball, "normals in a stream are those of its volume, in two bytes each") {
+TEST_CASE_FIXTURE(Ball, "normals in a stream equal those of its volume, in two bytes each") {
   write("told.dmc", stream_with_normals());
   for (const std::string mesh : {"", " --no-conforming"}) {
     const std::string gradient = " -o v.ply --normals gradient" + mesh;
@@ -189,7 +189,7 @@ TEST_CASE_FIXTURE(
   CHECK(read("told.dmc").size() > read("v.dmc").size());
 }
 
-TEST_CASE_FIXTURE(Ball, "an incomplete stream has normals where it has a surface") {
+TEST_CASE_FIXTURE(Ball, "an incomplete stream has a normal for each vertex of its surface") {
   const std::string stream = read("v.dmc");
   auto frames = discmc::test::frames_of(discmc::test::Bytes(stream.begin(), stream.end()));
   REQUIRE(frames.size() > 3);

@@ -211,7 +211,7 @@ TEST_CASE_FIXTURE(Folder, "a file that is replaced keeps its permissions") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a new file has the permissions that the user gives new files") {
+TEST_CASE_FIXTURE(Folder, "a new file has the permissions of the umask") {
   for (const auto& [mask, mode] : {std::pair<mode_t, int>{0027, 0640}, {0, 0666}}) {
     const mode_t before = umask(mask);
     const auto target = path() / std::to_string(mask);

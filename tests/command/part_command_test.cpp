@@ -63,7 +63,7 @@ void check_same_places(const FileMesh& a, const FileMesh& b) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Volumes, "the results of a part equal those of a file with only the part") {
+TEST_CASE_FIXTURE(Volumes, "a part of a volume has the results of a file with only that part") {
   const std::vector<std::string> surfaces = {
       "extract VOLUME --iso 1000 -q -o OUT.jsonl",
       "extract VOLUME --iso 1000 --space voxel --normals gradient -q -o OUT.ply",
@@ -104,7 +104,7 @@ TEST_CASE_FIXTURE(Volumes,
   }
 }
 
-TEST_CASE_FIXTURE(Volumes, "a shrunk ball is as large and where it was") {
+TEST_CASE_FIXTURE(Volumes, "a shrunk ball keeps its size and position") {
   write("turned.nrrd", turned + volume_files::bytes_of(ball()));
   for (const std::string part : {"", "--crop 1..,1..14,2.. "}) {
     done("extract turned.nrrd --iso 1000 --shrink 2 " + part +
@@ -188,7 +188,7 @@ TEST_CASE_FIXTURE(Volumes, "labels are shrunk to labels") {
                                                  "l.obj", "l.raw", "part.raw", "v.raw"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "parts that make no sense are refused before any work") {
+TEST_CASE_FIXTURE(Volumes, "invalid parts are refused before any work") {
   const std::string extract = "extract v.raw --iso 1000 -o v.stl" + layout;
   for (const std::string text : {"1..2", "1..2,3..4", "1..2,3..4,5..6,7..8", "1,2,3", "2..1,..,..",
                                  "-1..2,..,..", "a..,..,..", "..,..,..5x", "..,..,99999999999.."})

@@ -149,7 +149,7 @@ TEST_CASE("a part that needs more memory gets it, with the same result") {
   CHECK(are_same(extracted(volume, options).surface, ample.surface));
 }
 
-TEST_CASE("the statistics of parts are those of one sweep, cells and facets up to one a seam") {
+TEST_CASE("the statistics of parts equal those of one sweep, within one cell and facet per seam") {
   const BitVolume volume = random({20, 17, 70}, 128, 2);
   const auto whole = extracted(volume, options_with(Border::closed)).extraction.statistics;
   ExtractionOptions options = options_with(Border::closed);

@@ -271,7 +271,7 @@ TEST_CASE("walls stay plain in smooth shading, and their edges are rounded") {
   CHECK(same < covered);
 }
 
-TEST_CASE("a face keeps its own normal where that of a vertex leans too far away") {
+TEST_CASE("a face keeps its normal if the vertex normal deviates too far") {
   FaceMesh mesh = build_mesh(box_with_hole(), {true, Faces::triangles});
   mesh.normals.assign(mesh.vertices_mm.size(), {0, 0, 1});  // as at the border of a volume
   const Point side = {-1, -1.5, 0.8};

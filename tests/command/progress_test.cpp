@@ -35,7 +35,7 @@ void check_phases(const std::string& sent, const std::vector<std::string>& phase
 
 }  // namespace
 
-TEST_CASE("progress is a share of all, or a count where all is not known") {
+TEST_CASE("progress is a percentage, or a count if the total is unknown") {
   CHECK(progress_text("extracting", 0, 113) == "extracting 0 %");
   CHECK(progress_text("extracting", 51, 113) == "extracting 45 %");
   CHECK(progress_text("extracting", 113, 113) == "extracting 100 %");
@@ -68,7 +68,7 @@ TEST_CASE_FIXTURE(Workshop,
                 "measuring B to A 0 %"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "no progress is shown where there is no terminal") {
+TEST_CASE_FIXTURE(Workshop, "without a terminal, no progress is shown") {
   write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
   CHECK(run("extract v.nrrd --iso 100 -o v.ply").error.empty());
 }

@@ -72,7 +72,8 @@ TEST_CASE_FIXTURE(Folder,
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a name of a format with a header is not that of headerless samples") {
+TEST_CASE_FIXTURE(Folder,
+                  "a file named as a format with a header is not read as headerless samples") {
   const std::string u8 = stored(SampleType::u8);
   for (const std::string name : {"v.nrrd", "v.nii.gz", "v.mhd"})
     check_refused(write(name, u8), layout_of(SampleType::u8),

@@ -16,7 +16,7 @@ const std::string nrrd_file = nrrd(volume_files::nrrd_u8) + "\n" + u8;
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "a pipe is read as a file of its content is") {
+TEST_CASE_FIXTURE(Folder, "a pipe is read like a file with the same content") {
   const auto pipe = path() / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   const std::string local = metaimage(volume_files::metaimage_u8 + "ElementDataFile = LOCAL\n");

@@ -57,7 +57,7 @@ double mean_distance(const FaceMesh& mesh, double middle, double radius) {
 
 }  // namespace
 
-TEST_CASE("polygons have the crossings that the samples have, in the middle of their edges") {
+TEST_CASE("polygons cross the same edges as the samples, in the middle") {
   for (const Border border : {Border::closed, Border::open})
     for (const Field& field : {noise({9, 7, 6}, 1), ball(12, 4), noise({2, 5, 4}, 2)}) {
       const Extracted of = extracted(field, SampleType::u8, {1, 1, 1}, border);

@@ -44,8 +44,8 @@ std::vector<int> selected(SampleType type, const std::vector<Sample>& samples,
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("every whole number is selected exactly where its value is", Sample,
-                   std::uint8_t, std::int8_t) {
+TEST_CASE_TEMPLATE("a range selects exactly the whole numbers within it", Sample, std::uint8_t,
+                   std::int8_t) {
   for (const double slope : {1.0, 0.1, 0.3, 1.0 / 3, 2.5})
     for (const double intercept : {0.0, 0.1, -1024.0})
       for (int low = -140; low <= 270; low += 7)

@@ -136,8 +136,7 @@ TEST_CASE("the spacing of slices is that of the reconstruction in SkyScan's log"
   CHECK(open_volume(scan.path(), {{}, Spacing{1, 2, 3}})->info().spacing_mm == Spacing{1, 2, 3});
 }
 
-TEST_CASE(
-    "a log of other slices is not used, and one without a size of pixels gives that of the scan") {
+TEST_CASE("a log for slices of another size is ignored; without a pixel size, the scan's applies") {
   const SkyScan other("Result Image Width (pixels)=1000\r\nPixel Size (um)=12.50\r\n");
   CHECK(noted(open_volume(other.path())->info(),
               "'s_rec.log' describes slices of another size, and is not used"));

@@ -124,7 +124,7 @@ bool same_mesh(const std::string& obj, const std::string& other) {
 std::pair<std::size_t, std::int64_t> topology_of(const FaceMesh& mesh) {
   Sets pieces = connected_faces(sorted_edges(mesh), mesh.face_count());
   std::set<std::uint32_t> names;
-  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) names.insert(pieces.name(face));
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) names.insert(pieces.root(face));
   const std::set<std::uint32_t> used(mesh.corners.begin(), mesh.corners.end());
   return {names.size(), static_cast<std::int64_t>(used.size()) -
                             static_cast<std::int64_t>(mesh.face_count() / 2)};
@@ -297,7 +297,7 @@ TEST_CASE("every voxel stays on its side of the smooth surface, and flat faces w
   CHECK(samples[block.index(15, 15, 5)] == doctest::Approx(-0.5).epsilon(0.01));
 }
 
-TEST_CASE("--smooth takes a mask, a label and a threshold, and gives triangles") {
+TEST_CASE("--smooth accepts a mask, a label or a threshold, and writes triangles") {
   using command_tests::contains;
   const command_tests::Workshop workshop;
   std::string bytes;

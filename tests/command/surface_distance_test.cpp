@@ -50,7 +50,7 @@ TEST_CASE("the distance from a triangle is that to its inside, nearest side or c
   CHECK(squared_distance({3, 4, 0}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}) == doctest::Approx(25));
 }
 
-TEST_CASE("the distance of a mesh to itself is 0, and of a moved square the way it was moved") {
+TEST_CASE("the distance from a mesh to itself is 0, and to a shifted square the shift") {
   const Distances none = distances(ball(), ball());
   CHECK(none.largest < 1e-7);
   const Distances lifted = distances(square(10, 0), square(10, 0.25));

@@ -137,7 +137,7 @@ std::string refusal_of(const std::string& xml, int pages = 4, const VolumeOption
 }
 
 TEST_CASE_FIXTURE(Folder,
-                  "without a unit OME-XML is in micrometres, and an invalid length is noted") {
+                  "OME-XML without a unit is in micrometres, and an invalid length is noted") {
   const auto info_of = [this](const std::string& sizes) {
     const auto xml = ome(image(four_slices + " " + sizes));
     return open_volume(write("v.tif", numbered(4, xml).bytes()))->info();
@@ -238,7 +238,7 @@ TEST_CASE("a file of an OME-TIFF set opens the whole set") {
   }
 }
 
-TEST_CASE("a file that is missing in a set of OME-TIFF is named, but not one that was renamed") {
+TEST_CASE("a missing file of an OME-TIFF set is named; a renamed file is still read") {
   const OmeSet set;
   fs::rename(set.path() / OmeSet::name(2), set.path() / "c.ome.tif");
   check_refused(set.path() / OmeSet::name(0),
@@ -331,7 +331,7 @@ TEST_CASE_FIXTURE(Folder,
   check_refused(write("w.tif", numbered(3, "ImageJ=1\nslices=0\n").bytes()), "slices is '0'");
 }
 
-TEST_CASE_FIXTURE(Folder, "times of a series are not slices") {
+TEST_CASE_FIXTURE(Folder, "the times of a series are not read as slices") {
   const fs::path file = write("v.tif", numbered(3, "ImageJ=1\nimages=3\nframes=3\n").bytes());
   check_refused(file, "the file holds 3 volumes of one slice each");
   check_refused(file, "if they are slices, give --axes zyx");
@@ -359,7 +359,7 @@ TEST_CASE_FIXTURE(Folder,
                 "--axes applies to arrays and TIFF, and this is PNG");
 }
 
-TEST_CASE("ImageJ's straight line makes values of samples, and its origin places them") {
+TEST_CASE("ImageJ's linear calibration and origin are applied") {
   const VolumeInfo info = info_of(numbered(
       3,
       "ImageJ=1\nimages=3\nunit=mm\nspacing=2\ncf=0\nc0=-32768.0\nc1=1.0\nvunit=Gray Value\n"
@@ -445,7 +445,7 @@ TEST_CASE("bytes behind the only page are noted, unless they may be metadata") {
   CHECK(!notes_much(0));
 }
 
-TEST_CASE_FIXTURE(Folder, "a page whose rows begin below or at the right is no mirrored one") {
+TEST_CASE_FIXTURE(Folder, "a page whose rows begin at the bottom or right is not mirrored") {
   const std::vector<std::pair<std::uint32_t, Spacing>> cases = {
       {1, {1, 1, 1}}, {2, {-1, 1, 1}}, {3, {-1, -1, 1}}, {4, {1, -1, 1}}};
   for (const auto& [orientation, signs] : cases) {

@@ -207,7 +207,7 @@ TEST_CASE("a vertex in level samples or outside the volume keeps its normal") {
   CHECK(steep_vertices > 0);
 }
 
-TEST_CASE("a mesh without normals is given those of the gradient alone") {
+TEST_CASE("a mesh without normals gets gradient normals") {
   const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
   FaceMesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
   set_gradient_normals_of(volume, SampleType::u8, mesh);

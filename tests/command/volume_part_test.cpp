@@ -145,7 +145,7 @@ TEST_CASE_FIXTURE(Folder, "the voxels of a part keep their position in space") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "another spacing is that of the volume's own voxels") {
+TEST_CASE_FIXTURE(Folder, "a given spacing applies to the voxels before shrinking") {
   VolumeOptions options = with_shrink(with_crop(options_of(SampleType::u8), middle), 2);
   options.spacing_mm = {0.5, 2, 3};
   const auto file = write("v.raw", stored(SampleType::u8));
@@ -272,7 +272,7 @@ TEST_CASE("a block of labels becomes the most frequent one, of several the first
 }
 
 TEST_CASE_FIXTURE(Folder,
-                  "the labels of blocks are those of their own voxels, even in partial blocks") {
+                  "a block has a label of its own voxels, even if the border cuts the block") {
   // Blocks of 2 x 2 x 2, each with its number as a label, and one voxel of another label.
   const Dims size = {5, 3, 3};
   std::vector<std::uint8_t> labels;

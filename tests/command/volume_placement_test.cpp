@@ -90,7 +90,7 @@ TEST_CASE_FIXTURE(Folder, "NRRD's left-handed spaces are converted to right-hand
   CHECK(noted(info, "x of the left-handed space '3D-left-handed' negated"));
 }
 
-TEST_CASE_FIXTURE(Folder, "NRRD's units are those of the space coordinates") {
+TEST_CASE_FIXTURE(Folder, "the units of NRRD apply to its space coordinates") {
   check_placement(nrrd_info(*this,
                             "space: LPS\nspace units: \"cm\" \"mm\" \"um\"\n"
                             "space directions: (0,2,0) (0.3,0,0) (0,0,4000)\n"
@@ -109,8 +109,8 @@ TEST_CASE_FIXTURE(Folder, "NRRD with spacings alone lies along the coordinates o
       Space::scanner, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "NRRD's axis mins and maxs are the bounds of whole voxels, or their outer centres") {
+TEST_CASE_FIXTURE(Folder,
+                  "axis mins and maxs of NRRD are the bounds of voxels, or of their centres") {
   const std::string bounds = "axis mins: -20 3 40\naxis maxs: -17.5 -3 64\n";
   const VolumeInfo cells = nrrd_info(*this, bounds + units_in_mm + "centerings: cell cell cell\n");
   check_placement(cells, Space::scanner, {-19.75, 2, 43}, {{{0.5, 0, 0}, {0, -2, 0}, {0, 0, 6}}});

@@ -101,7 +101,7 @@ TEST_CASE_FIXTURE(Folder, "NRRD skips lines of the file and bytes of its content
                 "of 9223372036854775807 bytes to skip");
 }
 
-TEST_CASE_FIXTURE(Folder, "NRRD gives a signed spacing in millimetres") {
+TEST_CASE_FIXTURE(Folder, "the spacing of NRRD is signed and in millimetres") {
   const auto info = [&](const std::string& lines) {
     return open_volume(write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8))->info();
   };
@@ -271,7 +271,7 @@ TEST_CASE_FIXTURE(Folder, "NIfTI of either byte order, compression and pairing i
                SampleType::u8, "NIfTI-1, gzip");
 }
 
-TEST_CASE_FIXTURE(Folder, "NIfTI gives scale and signed spacing") {
+TEST_CASE_FIXTURE(Folder, "scale and signed spacing of NIfTI are read") {
   const auto info = [&](const Nifti& nifti) {
     return open_volume(write("v.nii", nifti.file(u8)))->info();
   };
@@ -355,7 +355,7 @@ TEST_CASE_FIXTURE(Folder,
                  SampleType::u8, "MetaImage, raw, detached");
 }
 
-TEST_CASE_FIXTURE(Folder, "MetaImage gives signed spacing and scale") {
+TEST_CASE_FIXTURE(Folder, "signed spacing and scale of MetaImage are read") {
   const auto info = [&](const std::string& lines) {
     const std::string header = metaimage(metaimage_u8 + lines + "ElementDataFile = LOCAL\n");
     return open_volume(write("v.mha", header + u8))->info();

@@ -33,7 +33,7 @@ TEST_CASE_FIXTURE(Folder, "the array named as the scalars is read from several i
       SampleType::u8, "VTK XML, raw");
 }
 
-TEST_CASE_FIXTURE(Folder, "VTK's XML gives the place of the first voxel, for any first number") {
+TEST_CASE_FIXTURE(Folder, "the first voxel of VTK's XML is placed for any first index") {
   std::string file =
       vti("", whole + " Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\"",
           ">" + appended_array, appended);
@@ -45,8 +45,7 @@ TEST_CASE_FIXTURE(Folder, "VTK's XML gives the place of the first voxel, for any
   CHECK(info.placement->origin_mm == Vector{1, 12, -1});
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "in VTK's XML samples may be those of cells, whose centres are between points") {
+TEST_CASE_FIXTURE(Folder, "cell data of VTK's XML is placed between the points") {
   const std::string place = " Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\"";
   std::string file = vti("", whole + place, ">" + appended_array, appended);
   for (const auto& [from, to] : {std::pair<std::string, std::string>{"0 4 0 2 0 3", "0 5 0 3 0 4"},
@@ -191,7 +190,7 @@ TEST_CASE("the pieces of a .pvti file are one volume, in any order") {
   for (int i = 0; i < 15; ++i) CHECK(slice[i] == sample_at(30 + i, SampleType::u8));
 }
 
-TEST_CASE("a folder of pieces is their volume, and an image that is no piece is another one") {
+TEST_CASE("a folder of pieces is one volume, unless it also has another image") {
   const Pieces pieces;
   pieces.write(left + right);
   check_volume(pieces.folder().path(), SampleType::u8, "VTK XML, text, in pieces");
@@ -199,7 +198,7 @@ TEST_CASE("a folder of pieces is their volume, and an image that is no piece is 
   check_refused(pieces.folder().path(), "several volumes in folders: 2");
 }
 
-TEST_CASE("a channel of pieces is chosen as that of one image") {
+TEST_CASE("a channel is chosen in pieces as in one image") {
   const Pieces pieces;
   pieces.write_piece("left.vti", 0, "UInt8", 3);
   pieces.write_piece("right.vti", 2, "UInt8", 3);
@@ -256,7 +255,7 @@ TEST_CASE("pieces that are not the whole image are refused") {
   check(left + Pieces::piece("7 9 0 2 -1 2", "v.pvti"), "neither ImageData nor RectilinearGrid");
 }
 
-TEST_CASE_FIXTURE(Folder, "the marks of ghosts in VTK's XML are no samples") {
+TEST_CASE_FIXTURE(Folder, "ghost arrays of VTK's XML are not read as samples") {
   const std::string ghosts =
       "<DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"appended\" offset=\"70\"/>";
   const auto file =

@@ -113,7 +113,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "scales and translations of a level and of all lev
 }
 
 TEST_CASE_FIXTURE(ZarrFolder,
-                  "units are those of each axis, and a missing or unknown one is noted") {
+                  "each axis has its own unit, and a missing or unknown unit is noted") {
   write_array(image / "0", {4, 3, 5}, u8);
   write_image(
       image,
@@ -152,7 +152,7 @@ TEST_CASE_FIXTURE(ZarrFolder,
 }
 
 TEST_CASE_FIXTURE(ZarrFolder,
-                  "chunks that are not there are full of the fill value, but some must be there") {
+                  "missing chunks have the fill value, but at least one chunk must exist") {
   const auto write_metadata = [this](const std::string& dtype, const std::string& fill) {
     write(array / ".zarray",
           R"({"zarr_format": 2, "shape": [2, 3, 4], "chunks": [1, 2, 3], "dtype": ")" + dtype +
@@ -171,7 +171,7 @@ TEST_CASE_FIXTURE(ZarrFolder,
   check_refused(array, "the fill value '\"words\"' is not a sample");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "labels of 64 bits keep all of them") {
+TEST_CASE_FIXTURE(ZarrFolder, "labels of 64 bits keep all their bits") {
   const std::vector<std::uint64_t> ids = {720575940621039145, 720575940621039146};
   write_array(array, {1, 1, 2}, bytes_of(ids), "<u8");
   const auto reader = open_volume(array);
@@ -182,9 +182,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "labels of 64 bits keep all of them") {
   CHECK(slice[1] == ids[1]);
 }
 
-TEST_CASE_FIXTURE(
-    ZarrFolder,
-    "axes of an array are its own names, those of xarray, or those that are asked for") {
+TEST_CASE_FIXTURE(ZarrFolder, "axes are named by the array, by xarray or by --axes") {
   write_array(array, {4, 3, 5, 1}, u8);
   check_volume(array, SampleType::u8, "Zarr");
   CHECK(noted(open_volume(array)->info(), "axes of size 1 are dropped"));
@@ -379,7 +377,7 @@ TEST_CASE_FIXTURE(
 }
 
 TEST_CASE_FIXTURE(
-    ZarrFolder, "a fill value of xarray may be in base64, and _Unsigned gives samples their sign") {
+    ZarrFolder, "a fill value of xarray may be in base64, and _Unsigned sets the sign of samples") {
   const auto write_with = [this](const std::string& attributes) {
     const std::string json = array_json("[4, 3, 5]", "[" + bytes_codec + "]");
     write(array / "zarr.json",
@@ -413,7 +411,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "a shard with a wrong index or checksum is refused
 }
 
 TEST_CASE_FIXTURE(ZarrFolder,
-                  "a checksum behind a chunk is compared, and keys may be those of version 2") {
+                  "a checksum after a chunk is verified, and keys of version 2 are read") {
   const std::string keys = R"({"name": "v2", "configuration": {"separator": "."}})";
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "crc32c"}])", keys));

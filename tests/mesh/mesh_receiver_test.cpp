@@ -81,7 +81,7 @@ TEST_CASE("the mesh so far grows while the scan runs, and is closed at its end")
   }
 }
 
-TEST_CASE("scan after scan on one link, each ends by its trailer and begins a mesh of its own") {
+TEST_CASE("each scan on a link ends at its trailer, and the next begins a new mesh") {
   Bytes link;
   for (const std::uint16_t scan : {std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{3}}) {
     const Bytes bytes = region_stream(scan);

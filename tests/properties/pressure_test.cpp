@@ -167,11 +167,11 @@ TEST_CASE("the rings are the same for every byte added to the minimum") {
     CHECK(pressed.fault<uint16_t>(bytes) == "");
 }
 
-TEST_CASE("the peaks of a scan suffice as capacities for the same scan") {
+TEST_CASE("twice the peak of slots plus 64 keeps every region whole") {
   for (const BitVolume& volume : small_volumes())
     for (const Border border : {Border::closed, Border::open}) {
       const Peaks needed = Pressed(volume, border).needed();
-      // No fragment is sent while a few slots are free.
+      // With the peak alone, long fragments would be sent early.
       const Capacities capacities{2 * needed.slots + 64, needed.holes};
       Collector collector;
       scan_into<uint16_t>(collector, volume, {border}, capacities);

@@ -51,13 +51,14 @@ Status CheckpointStore::find_newest() {
     newest_bytes_ = head.bytes;
     newest_sequence_ = head.sequence;
     slot_ = newest_;
-    go_to_other_blocks();  // the rest of its block may be partly written
+    skip_to_next_blocks();  // the rest of its block may be partly written
     return Status::ok;
   }
   return has_read_failed_ ? Status::device_error : Status::ok;
 }
 
-// Finds the newest header older than `bound`, or of all, and its slot. False if there is none.
+// Finds the newest header older than `bound`, or of all, and its slot. Returns false if there
+// is none.
 bool CheckpointStore::find_head_before(const StoredHead* bound, StoredHead& head, uint32_t& slot) {
   bool is_found = false;
   for (uint32_t at = 0; at < plan_.slots; ++at) {
@@ -88,7 +89,7 @@ bool CheckpointStore::is_whole(uint32_t slot, const StoredHead& head) {
 // The lengths in flash belong to the newest checkpoint, which start() or save() verified.
 Status CheckpointStore::restore(const Memory* parts, uint32_t count) {
   if (!is_started()) return Status::not_started;
-  break_off();
+  cancel_save();
   if (!has_checkpoint() || count > max_parts) return Status::bad_checkpoint;
   set_pieces(nullptr, 0);
   if (const Status status = read_slot(newest_); status == Status::device_error) return status;
@@ -126,7 +127,7 @@ bool CheckpointStore::read(uint32_t slot, uint32_t unit) {
 
 // ---- the bytes of a slot ----
 
-// Sets the parts to save. False if there are too many parts or bytes.
+// Sets the parts to save. Returns false if there are too many parts or bytes.
 bool CheckpointStore::set_parts(const Memory* parts, uint32_t count) {
   if (count > max_parts) return false;
   uint32_t bytes = 0;
@@ -204,7 +205,7 @@ Status CheckpointStore::erase_ahead(uint32_t bytes) {
 
 Status CheckpointStore::save(const Memory* parts, uint32_t count) {
   if (!is_started()) return Status::not_started;
-  break_off();
+  cancel_save();
   if (!set_parts(parts, count) || head_.bytes == 0) return Status::too_little_memory;
   return begin_save();
 }
@@ -212,7 +213,7 @@ Status CheckpointStore::save(const Memory* parts, uint32_t count) {
 // An entry without bytes is newer than every checkpoint.
 Status CheckpointStore::discard() {
   if (!is_started()) return Status::not_started;
-  break_off();
+  cancel_save();
   if (!has_checkpoint()) return Status::ok;
   (void)set_parts(nullptr, 0);
   return begin_save();
@@ -288,17 +289,17 @@ void CheckpointStore::complete() {
 
 Status CheckpointStore::fail() {
   is_saving_ = false;
-  go_to_other_blocks();
+  skip_to_next_blocks();
   return Status::device_error;
 }
 
-void CheckpointStore::break_off() {
-  if (is_saving_ && unit_ > 0) go_to_other_blocks();
+void CheckpointStore::cancel_save() {
+  if (is_saving_ && unit_ > 0) skip_to_next_blocks();
   is_saving_ = false;
 }
 
 // Continues with the next blocks without the newest checkpoint; nothing in them counts as erased.
-void CheckpointStore::go_to_other_blocks() {
+void CheckpointStore::skip_to_next_blocks() {
   const uint32_t groups = group_of(plan_.slots);
   uint32_t next = group_of(slot_) + 1;
   if (next == groups) next = 0;

@@ -36,7 +36,7 @@ void sort_by_vertex(const Vertex* vertices, uint32_t* order, uint32_t count) {
   }
 }
 
-// Gives every vertex a name that it shares with its recurrences. False if no vertex recurs.
+// Gives every vertex a name that it shares with its recurrences. Returns false if no vertex recurs.
 bool name_vertices(const Vertex* vertices, uint32_t* order, uint32_t* name, uint32_t count) {
   sort_by_vertex(vertices, order, count);
   bool recurs = false;

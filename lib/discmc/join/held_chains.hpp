@@ -58,7 +58,8 @@ struct HeldChain {
   constexpr void clear(uint8_t mark) { marks = static_cast<uint8_t>(marks & ~mark); }
 };
 
-static_assert(sizeof(HeldChain) == 48 && sizeof(HeldRun) == 12, "what joiner.hpp reckons with");
+static_assert(sizeof(HeldChain) == 48 && sizeof(HeldRun) == 12,
+              "joiner.hpp computes with these sizes");
 
 /// Chains and their runs in two pools, with indexes from 1 on. Owner: the slots lie in the arena.
 /// Cost of every function except freeing: a few instructions.
@@ -86,7 +87,7 @@ class HeldChains {
   /// Frees a chain and its runs. Cost: its runs.
   void release(uint32_t chain);
 
-  /// Appends a run to a chain. False if there is no room; then nothing has changed.
+  /// Appends a run to a chain. Returns false if there is no room; then nothing has changed.
   bool append(uint32_t index, Run run, OctahedralNormal normal);
 
   /// Appends another chain, which starts at the end of this one and then no longer exists.

@@ -203,8 +203,8 @@ void Joiner::start_passing() {
 
 // ---- delivery ----
 
-// Continues the current delivery, and that of all chains if they are passed on. False if the sink
-// is busy.
+// Continues the current delivery, and that of all chains if they are passed on. Returns false if
+// the sink is busy.
 bool Joiner::settle() {
   while (outlet_ != Outlet::none || begin_next_loose()) {
     if (!pass(next_event())) return false;
@@ -304,7 +304,7 @@ void Joiner::deliver_all_loose() {
   region_.forget(waiting_);
 }
 
-// Begins the delivery of the next chain that is passed on. False if none is left.
+// Begins the delivery of the next chain that is passed on. Returns false if none is left.
 bool Joiner::begin_next_loose() {
   if (!is_delivering_all_) return false;
   while (looked_at_ < chains().peak()) {
@@ -333,7 +333,7 @@ bool Joiner::end() {
   return settle() && send_finish();
 }
 
-// Begins the delivery of a waiting outer ring. False if none is left.
+// Begins the delivery of a waiting outer ring. Returns false if none is left.
 bool Joiner::begin_next_outer() {
   const uint32_t outer = waiting_.rings().remove_outer(chains());
   if (outer == detail::join::no_chain) return false;

@@ -67,8 +67,8 @@ class WaitingTable {
     return bucket == buckets_ ? none : values_[bucket];
   }
 
-  /// Inserts a value under a key that is not in the table. False if the key's window is full; then
-  /// nothing has changed.
+  /// Inserts a value under a key that is not in the table. Returns false if the key's window is
+  /// full; then nothing has changed.
   bool insert(const WaitingKey& key, uint32_t value) {
     const uint32_t hash = hash_of(key);
     const uint32_t bucket = first_bucket(hash, [this](uint32_t i) { return values_[i] == none; });

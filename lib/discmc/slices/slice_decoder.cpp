@@ -7,8 +7,9 @@ using detail::slices::RowNote;
 namespace {
 
 // The most bytes that a step or a note reads.
-constexpr size_t max_of_a_step = 4;
-static_assert(max_of_a_step <= detail::wire::packet_head, "what is left has room before a payload");
+constexpr size_t max_step_bytes = 4;
+static_assert(max_step_bytes <= detail::wire::packet_head,
+              "what is left has room before a payload");
 
 }  // namespace
 
@@ -146,7 +147,7 @@ void SliceDecoder::open_slices() {
   }
   // A code begins with a row, or at the cut of the previous code. Its first packet has the bytes
   // that a decoder reads first.
-  if (is_row_begun_ != continues_in_row || (bytes < max_of_a_step && !is_code_over_))
+  if (is_row_begun_ != continues_in_row || (bytes < max_step_bytes && !is_code_over_))
     return wait_for_key_slice();
   coder_.range = RangeDecoder(code, bytes);
 }
@@ -173,7 +174,7 @@ bool SliceDecoder::begin_key_slice() {
 
 // Whether the present bytes suffice for any step.
 bool SliceDecoder::can_read() const {
-  return is_code_over_ || coder_.range.left() >= max_of_a_step;
+  return is_code_over_ || coder_.range.left() >= max_step_bytes;
 }
 
 bool SliceDecoder::is_at_cut() const {

@@ -178,7 +178,7 @@ void Decoder::begin_record() {
 
 // ---- delivery ----
 
-// Offers all pending events to the sink. False if the sink does not accept one.
+// Offers all pending events to the sink. Returns false if the sink does not accept one.
 bool Decoder::deliver() {
   for (;;) {
     if (is_loss_due_) {

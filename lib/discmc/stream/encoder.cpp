@@ -167,7 +167,7 @@ Status Encoder::restore(const ByteOutput& output) {
 
 // ---- records ----
 
-// Sends the record in parts to make room for the event. False if the output is busy.
+// Sends the record in parts to make room for the event. Returns false if the output is busy.
 inline bool Encoder::put_parts(const Event& event) {
   state_ = State::in_parts;
   if (!put(event)) return false;
@@ -175,8 +175,8 @@ inline bool Encoder::put_parts(const Event& event) {
   return true;
 }
 
-// Writes a mark, or the record, into this packet and into more packets if needed. False if the
-// output is busy.
+// Writes a mark, or the record, into this packet and into more packets if needed. Returns false
+// if the output is busy.
 bool Encoder::put(const Event& event) {
   while (!fill_packet(event)) {
     seal_records();
@@ -190,8 +190,8 @@ bool Encoder::put(const Event& event) {
 }
 
 // Writes a mark, or the record, into the packet. A record that cannot be encoded whole, or is
-// longer than a packet, is sent in parts. False if something is left for the next packet. Inlined,
-// because the two functions need less stack together.
+// longer than a packet, is sent in parts. Returns false if something is left for the next packet.
+// Inlined, because the two functions need less stack together.
 DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
   uint32_t words = record_.count;
   for (;;) {

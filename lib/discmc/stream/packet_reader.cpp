@@ -87,7 +87,7 @@ PacketReader::Completed PacketReader::add(uint8_t byte) {
 }
 
 void PacketReader::finish() {
-  if (frame_bytes_ > 0) damage();
+  if (frame_bytes_ > 0) note_damaged();
   frame_bytes_ = 0;
   is_gap_due_ = true;
 }
@@ -99,11 +99,11 @@ bool PacketReader::remove_gap() {
 }
 
 void PacketReader::note_unreadable() {
-  damage();
+  note_damaged();
   report_.is_unreadable = true;
 }
 
-PacketReader::Completed PacketReader::damage() {
+PacketReader::Completed PacketReader::note_damaged() {
   ++report_.damaged_packets;
   return Completed::nothing;
 }
@@ -112,7 +112,7 @@ PacketReader::Completed PacketReader::open_frame(size_t bytes) {
   const size_t plain = detail::cobs::unstuff(frame_, bytes);
   const bool is_packet = plain >= detail::wire::packet_head + detail::wire::packet_tail &&
                          plain <= detail::wire::max_packet;
-  return is_packet ? open_packet(plain) : damage();
+  return is_packet ? open_packet(plain) : note_damaged();
 }
 
 PacketReader::Completed PacketReader::open_packet(size_t bytes) {
@@ -120,7 +120,7 @@ PacketReader::Completed PacketReader::open_packet(size_t bytes) {
   const uint8_t* const packet = frame_ + 1;
   const size_t checked = bytes - packet_crc;
   const uint32_t crc = crc32(packet, checked);
-  if (crc != ByteReader(packet + checked, packet_crc).get(4)) return damage();
+  if (crc != ByteReader(packet + checked, packet_crc).get(4)) return note_damaged();
   payload_bytes_ = checked - packet_tag - packet_head;
   const PacketKind kind = static_cast<PacketKind>(packet[0]);
   const auto tag = static_cast<uint32_t>(ByteReader(packet + checked - packet_tag, 3).get(3));
@@ -144,10 +144,10 @@ PacketReader::Completed PacketReader::open_packet(size_t bytes) {
   if (kind == PacketKind::trailer) return read_trailer();
   if (kind == PacketKind::slices_trailer) return read_slices_trailer();
   if (kind == PacketKind::application || kind == PacketKind::slices_application)
-    return payload_bytes_ < application_head ? damage() : Completed::application;
+    return payload_bytes_ < application_head ? note_damaged() : Completed::application;
   if (is_of_slices(packet[0])) return Completed::slices;
   if (kind == PacketKind::whole_regions) {
-    if (payload_bytes_ < whole_regions_tail) return damage();
+    if (payload_bytes_ < whole_regions_tail) return note_damaged();
     payload_bytes_ -= whole_regions_tail;
     return Completed::records;
   }
@@ -229,8 +229,8 @@ void PacketReader::note_gap(uint64_t packets, uint64_t pieces) {
   pieces_passed_ += pieces;
 }
 
-// The counts in the header have no modulus: they correct those of the packets. False if the packet
-// has nothing more to read.
+// The counts in the header have no modulus: they correct those of the packets. Returns false if
+// the packet has nothing more to read.
 bool PacketReader::read_header() {
   detail::wire::ByteReader reader(payload(), payload_bytes_);
   const bool has_magic = reader.get(3) == detail::wire::magic;
@@ -239,7 +239,7 @@ bool PacketReader::read_header() {
   const HeaderPacket packet = parse_header(reader, tag_);
   if (!has_magic || payload_bytes_ < detail::wire::header_payload || !packet.header.is_valid() ||
       packet.header.levels == 6) {
-    damage();
+    note_damaged();
     return false;
   }
   if (!report_.has_header) {
@@ -281,7 +281,7 @@ void PacketReader::compare_digest(uint32_t expected) {
 }
 
 PacketReader::Completed PacketReader::read_trailer() {
-  if (payload_bytes_ < detail::wire::trailer_payload) return damage();
+  if (payload_bytes_ < detail::wire::trailer_payload) return note_damaged();
   detail::wire::ByteReader reader(payload(), payload_bytes_);
   note_end(reader);
   Statistics& totals = report_.totals;
@@ -293,7 +293,7 @@ PacketReader::Completed PacketReader::read_trailer() {
 }
 
 PacketReader::Completed PacketReader::read_slices_trailer() {
-  if (payload_bytes_ < detail::wire::slices_trailer_payload) return damage();
+  if (payload_bytes_ < detail::wire::slices_trailer_payload) return note_damaged();
   detail::wire::ByteReader reader(payload(), payload_bytes_);
   note_end(reader);
   report_.total_rows = reader.get(8);

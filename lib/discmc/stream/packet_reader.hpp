@@ -58,7 +58,7 @@ class PacketReader {
  private:
   Completed open_frame(size_t bytes);
   Completed open_packet(size_t bytes);
-  Completed damage();
+  Completed note_damaged();
   bool adopt(uint32_t tag);
   bool is_on_channel(uint32_t tag) const;
   bool accept_number(const uint8_t* packet);

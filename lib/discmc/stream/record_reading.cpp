@@ -34,14 +34,14 @@ bool read_runs(ReadingModel& model, Record& record, Direction first, uint32_t ma
 }
 
 // Returns the vector from the end of the runs back to their start, in steps of their plane.
-PlaneWay way_back(const Record& record, uint32_t first, const PlaneStep* steps) {
-  PlaneWay way{0, 0};
+PlaneVector vector_back(const Record& record, uint32_t first, const PlaneStep* steps) {
+  PlaneVector vector{0, 0};
   for (uint32_t i = first; i < record.count; ++i) {
     const Run run = Run::from_code(record.word[i]);
-    way.u -= static_cast<int32_t>(run.length()) * steps[run.direction()].u;
-    way.v -= static_cast<int32_t>(run.length()) * steps[run.direction()].v;
+    vector.u -= static_cast<int32_t>(run.length()) * steps[run.direction()].u;
+    vector.v -= static_cast<int32_t>(run.length()) * steps[run.direction()].v;
   }
-  return way;
+  return vector;
 }
 
 // Reads a ring of three or four corners from its turns. The last two lengths follow from the
@@ -76,7 +76,7 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   }
   const PlaneStep* const steps = plane_steps_of(model.link_class());
   const Closure closure = close_ring(steps[direction[coded]], steps[direction[coded + 1]],
-                                     way_back(record, begin, steps));
+                                     vector_back(record, begin, steps));
   record.add_run(Run::straight(direction[coded], closure.first));
   record.add_run(Run::straight(direction[coded + 1], closure.second));
   return closure.is_valid;
@@ -89,7 +89,7 @@ bool read_long_ring(ReadingModel& model, Record& record) {
   if (first == no_direction || !read_runs(model, record, first, max_compact_length)) return false;
   if (!record.has_room(1)) return false;
   const PlaneStep* const steps = plane_steps_of(model.link_class());
-  const Run last = run_along(steps, model.directions(), way_back(record, begin, steps));
+  const Run last = run_along(steps, model.directions(), vector_back(record, begin, steps));
   record.add_run(last);
   return !last.is_empty();
 }
@@ -102,20 +102,20 @@ bool read_ring(ReadingModel& model, Record& record) {
 }  // namespace
 
 // Uses Cramer's rule.
-Closure close_ring(PlaneStep a, PlaneStep b, PlaneWay way) {
+Closure close_ring(PlaneStep a, PlaneStep b, PlaneVector vector) {
   const int32_t area = a.u * b.v - a.v * b.u;
-  const int32_t first = way.u * b.v - way.v * b.u;
-  const int32_t second = a.u * way.v - a.v * way.u;
+  const int32_t first = vector.u * b.v - vector.v * b.u;
+  const int32_t second = a.u * vector.v - a.v * vector.u;
   if (first % area != 0 || second % area != 0) return {};
   if (!is_length(first / area) || !is_length(second / area)) return {};
   return {true, static_cast<uint32_t>(first / area), static_cast<uint32_t>(second / area)};
 }
 
-Run run_along(const PlaneStep* steps, uint32_t directions, PlaneWay way) {
+Run run_along(const PlaneStep* steps, uint32_t directions, PlaneVector vector) {
   for (uint32_t d = 0; d < directions; ++d) {
     const PlaneStep step = steps[d];
-    const int32_t length = step.u != 0 ? way.u / step.u : way.v / step.v;
-    if (is_length(length) && length * step.u == way.u && length * step.v == way.v)
+    const int32_t length = step.u != 0 ? vector.u / step.u : vector.v / step.v;
+    if (is_length(length) && length * step.u == vector.u && length * step.v == vector.v)
       return Run::straight(static_cast<Direction>(d), static_cast<uint32_t>(length));
   }
   return {};

@@ -14,22 +14,22 @@ bool read_fragment(ReadingModel& model, Record& record, RecordKind kind);
 bool read_part(ReadingModel& model, Record& record);
 
 /// A vector in a plane, in the coordinates of PlaneStep. Limit: below 2^28.
-struct PlaneWay {
+struct PlaneVector {
   int32_t u, v;
 };
 
-/// The lengths of the last two runs of a ring, which follow from the remaining way.
+/// The lengths of the last two runs of a ring, which follow from the vector back to its start.
 struct Closure {
   bool is_valid;
   uint32_t first, second;
 };
 
-/// Solves for the lengths of two steps that are not parallel and add up to a way. Invalid if no two
-/// lengths of 1 to max_compact_length do.
-Closure close_ring(PlaneStep a, PlaneStep b, PlaneWay way);
+/// Solves for the lengths of two steps that are not parallel and add up to a vector. Invalid if no
+/// two lengths of 1 to max_compact_length do.
+Closure close_ring(PlaneStep a, PlaneStep b, PlaneVector vector);
 
 /// Returns the run along a vector; empty if no run of at most max_compact_length matches.
-Run run_along(const PlaneStep* steps, uint32_t directions, PlaneWay way);
+Run run_along(const PlaneStep* steps, uint32_t directions, PlaneVector vector);
 
 }  // namespace discmc::detail::stream
 

@@ -112,8 +112,8 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
   }
 }
 
-/// Encodes a whole region of closed rings in few symbols. False if the record is anything else;
-/// then some symbols may have been written.
+/// Encodes a whole region of closed rings in few symbols. Returns false if the record is anything
+/// else; then some symbols may have been written.
 template <class Model>
 bool encode_region(Model& model, const Record& record) {
   if (record.continues || record.rings == 0 || record.word[0] != Record::ring_mark) return false;

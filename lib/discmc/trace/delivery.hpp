@@ -6,9 +6,11 @@
 //   hole         none yet: it waits in Holes for the ring around it
 //
 // A ring is a hole if it turns right at its last vertex in the order z, y, x, where its events
-// begin. If too many holes wait, it goes out as a fragment. deliver() offers one event to the sink.
-// When the sink has accepted it, select_next() selects the next one. So a busy sink may suspend the
-// delivery before any event.
+// begin. A hole that cannot wait is sent as a fragment: too many holes wait, too few slots are
+// spare, or the extractor is lean.
+//
+// deliver() offers one event to the sink. When the sink has accepted it, select_next() selects the
+// next one. So a busy sink may suspend the delivery before any event.
 #ifndef DISCMC_TRACE_DELIVERY_HPP
 #define DISCMC_TRACE_DELIVERY_HPP
 
@@ -22,6 +24,7 @@ inline bool turns_right(Incidence incidence, Direction before, Direction after) 
   return turn(incidence, before, after) < 0;
 }
 
+/// holes_wait: false in a lean extractor, whose holes are sent as loose fragments.
 template <class Index, class Normal, bool holes_wait>
 class Delivery {
  public:
@@ -96,6 +99,7 @@ bool Delivery<Index, Normal, holes_wait>::deliver_remaining_holes(Chains& chains
       Out& out = chains.outgoing();
       holes_.any_plane(chains.slots(), out.incidence, out.start);
       event_.incidence = out.incidence;
+      // `out` is of kind none, so mark() marks all holes of the plane, as for a fragment.
       holes_due_ = holes_.mark(chains.slots(), out);
       begin_next_loose(chains);
     }
@@ -142,23 +146,23 @@ template <class Index, class Normal, bool holes_wait>
 void Delivery<Index, Normal, holes_wait>::begin_ring(const Slots& slots) {
   const Incidence incidence = event_.incidence;
   constexpr Vertex here{0, 0, 0};
-  Vertex way = here;  // from the last vertex so far
+  Vertex offset = here;  // from the last vertex so far
   Direction before = direction_of(Lists::last_run(slots, runs_));
   const Cursor end(slots, runs_);
   Cursor cursor = end;
   do {
     const ShortRun run = cursor.run(slots);
     const Direction direction = direction_of(run);
-    if (!precedes(way, here)) {
-      way = here;
+    if (!precedes(offset, here)) {
+      offset = here;
       first_ = cursor;
       event_.incoming_direction = before;
     }
-    translate(way, incidence, direction, length_of(run));
+    translate(offset, incidence, direction, length_of(run));
     before = direction;
     cursor.advance(slots);
   } while (cursor != end);
-  event_.start = event_.start - way;
+  event_.start = event_.start - offset;
   event_.is_hole =
       turns_right(incidence, event_.incoming_direction, direction_of(first_.run(slots)));
 }

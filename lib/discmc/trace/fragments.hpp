@@ -12,9 +12,9 @@
 //   visited        visited     joins two fragments, or closes a ring if they are one
 //
 // A run is added at a corner, at a join, where an end is cut, and where a side is full. If few
-// slots are free, the runs of long fragments leave early. An end without a slot to wait in is lost:
-// its fragment then has a loose end. A ring, and runs that leave a fragment, are outgoing() until
-// Delivery has sent them.
+// slots are spare, the runs of long fragments leave early. An end without a slot to wait in is
+// lost: its fragment then has a loose end. A ring, and runs that leave a fragment, are outgoing()
+// until Delivery has sent them.
 #ifndef DISCMC_TRACE_FRAGMENTS_HPP
 #define DISCMC_TRACE_FRAGMENTS_HPP
 
@@ -69,8 +69,8 @@ static_assert(1U << place_bits < 1U << LinkSteps::fraction_bits,
 /// apart.
 inline uint32_t links_between(Place from, Place to, Link link) {
   const int8_t step = link_steps.of[link];
-  const uint32_t way = step < 0 ? from - to : to - from;
-  return (way & ((1U << place_bits) - 1)) * link_steps.inverse[step < 0 ? -step : step] >>
+  const uint32_t distance = step < 0 ? from - to : to - from;
+  return (distance & ((1U << place_bits) - 1)) * link_steps.inverse[step < 0 ? -step : step] >>
          LinkSteps::fraction_bits;
 }
 
@@ -97,17 +97,17 @@ class Fragments {
   using Slots = Pool<Slot<Index, Normal>, Index>;
   using Lists = RunLists<Index, Normal>;
 
-  /// No fragment is sent early while this many slots are free.
+  /// No fragment is sent early while this many slots are spare.
   static constexpr uint32_t min_spare_to_hold = 1024;
   /// The most slots that a pass allocates.
   static constexpr uint32_t slots_per_pass = 6;
   /// The number of slots reserved for ends within the slice, unless half of all is less.
-  static constexpr uint32_t max_reserved = 80;
+  static constexpr uint32_t max_kept_for_slice = 80;
 
   void start(Slot<Index, Normal>* slots, uint32_t capacity, Queue<Index>* queues) {
     slots_.start(slots, capacity);
     queues_.start(queues);
-    kept_for_slice_ = capacity / 2 < max_reserved ? capacity / 2 : max_reserved;
+    kept_for_slice_ = capacity / 2 < max_kept_for_slice ? capacity / 2 : max_kept_for_slice;
     enough_for_ends_ = slots_per_pass + 2 * kept_for_slice_;
   }
   void clear() {
@@ -218,7 +218,7 @@ class Fragments {
 
   Slots slots_;                   // first, so its address is that of this object: less code
   uint32_t kept_for_slice_ = 0;   // slots that ends waiting for the next slice must not use
-  uint32_t enough_for_ends_ = 0;  // while this many are free, no end is lost
+  uint32_t enough_for_ends_ = 0;  // while this many are spare, no end is lost
   Outgoing<Index> outgoing_;
   Queues<Index, Normal> queues_;
 };

@@ -134,11 +134,12 @@ class GradientIntake {
   int32_t spacing_nm_[3] = {0, 0, 0};  // 0: unknown
   AxisWeights weights_;
   SampleRows<Sample> samples_;
+  // Per row of the ring: its number of samples, or a mark of a skipped row.
   uint16_t* given_ = nullptr;
   uint32_t width_ = 0;
   uint32_t height_ = 0;
-  int32_t first_z_ = 0;  // of the samples in the volume
-  uint32_t waiting_ = 0;
+  int32_t first_z_ = 0;   // of the samples in the volume
+  uint32_t waiting_ = 0;  // rows not yet thresholded
 };
 
 }  // namespace discmc

@@ -54,8 +54,8 @@ class Holes<uint32_t, Normal> {
     }
   }
 
-  /// Removes one of the last marked holes, the newest first. Returns its runs and their start.
-  /// Limit: there is one.
+  /// Removes one of the holes that the last mark() has marked, the newest first. Returns its runs
+  /// and their start. Limit: there is one.
   void remove(Slots& slots, uint32_t& runs, Vertex& start) {
     const uint32_t index = marked_.first(Newest{{slots}}, [](uint32_t) { return true; });
     marked_.remove(Newest{{slots}}, index);

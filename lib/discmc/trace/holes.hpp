@@ -44,7 +44,8 @@ class Holes {
   /// the runs again.
   uint32_t mark(Slots& slots, const Outgoing<Index>& by);
 
-  /// Removes one of the last marked holes. Returns its runs and their start. Limit: there is one.
+  /// Removes one of the holes that the last mark() has marked. Returns its runs and their start.
+  /// Limit: there is one.
   void remove(Slots& slots, Index& runs, Vertex& start);
 
   /// Finds a plane that has holes. Limit: count() > 0.
@@ -205,8 +206,7 @@ bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& 
     const int32_t end_v = at_v + length * side[v];
     if (is_above(at_v) != is_above(end_v)) {
       // The position at which the side crosses the line of the ray, times the step in v. It is
-      // never 0.
-      // At a crossing, at_v is small.
+      // never 0. At a crossing, at_v is small.
       const int32_t crossing = (2 * at_u - link[u]) * side[v] - (2 * at_v - link[v]) * side[u];
       if ((crossing > 0) == (side[v] > 0)) is_inside = !is_inside;
     }

@@ -1,7 +1,7 @@
 // Queues of waiting ends, first in, first out: one queue per kind of link and direction of the
 // chain.
 //
-// An end without a slot is lost. Its place in the queue stays, so that the other ends keep their
+// An end without a slot is lost. Its position in the queue stays, so that the other ends keep their
 // partners. The queue counts lost ends in one of three encodings:
 //
 //   only lost ends wait           in the Queue: top bit of `head` set, the count in the other bits

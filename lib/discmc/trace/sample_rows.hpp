@@ -1,6 +1,6 @@
 // The last rows of samples, and the gradient at a vertex.
 //
-// The gradient is the mean of central differences at the voxels around the vertex. A midpoint has
+// The gradient is the sum of central differences at the voxels around the vertex. A midpoint has
 // the two ends of its edge, a centroid the eight corners of its cell. The differences are one-sided
 // at the outermost voxels of the volume.
 #ifndef DISCMC_TRACE_SAMPLE_ROWS_HPP

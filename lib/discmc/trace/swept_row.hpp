@@ -105,16 +105,16 @@ class SweepCounts {
   }
   /// Moves whole counts to the statistics.
   void add_to(Statistics& statistics) {
-    translate(cells_, CountParts::cell, statistics.cells);
-    translate(facets_, CountParts::facet, statistics.facets);
-    translate(triangles_, CountParts::triangle, statistics.classic_triangles);
+    carry_whole(cells_, CountParts::cell, statistics.cells);
+    carry_whole(facets_, CountParts::facet, statistics.facets);
+    carry_whole(triangles_, CountParts::triangle, statistics.classic_triangles);
   }
 
   /// Returns the parts that do not make a whole triangle, after add_to().
   uint32_t triangle_parts() const { return triangles_; }
 
  private:
-  static void translate(uint32_t& parts, uint32_t parts_of_one, uint64_t& total) {
+  static void carry_whole(uint32_t& parts, uint32_t parts_of_one, uint64_t& total) {
     if constexpr (has_division) {
       total += parts / parts_of_one;
       parts %= parts_of_one;

@@ -10,8 +10,8 @@
 namespace discmc::command {
 namespace {
 
-constexpr ByteOutput nowhere{nullptr,
-                             [](void*, const std::uint8_t*, std::size_t count) { return count; }};
+constexpr ByteOutput discarding_output{
+    nullptr, [](void*, const std::uint8_t*, std::size_t count) { return count; }};
 
 DeviceWork work_of(const VolumeBits& volume, std::uint32_t slices, std::uint64_t steps,
                    std::uint64_t bytes) {
@@ -74,7 +74,7 @@ Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
   const auto bytes = Extractor<Index>::bytes_for(volume.limits(), capacities);
   const auto memory = uninitialised(bytes);
   Encoder encoder;
-  require(encoder.start(volume.header().label(), nowhere));
+  require(encoder.start(volume.header().label(), discarding_output));
   Extractor<Index> extractor;
   require(extractor.start(volume.limits(), capacities, volume.header().thresholds[0],
                           {memory.get(), bytes}, make_sink(encoder)));
@@ -110,7 +110,7 @@ Trial try_slices(const VolumeBits& volume, std::uint32_t key_slice_interval) {
   trial.memory = SliceEncoder::minimum_bytes(config);
   const auto memory = uninitialised(trial.memory);
   SliceEncoder encoder;
-  require(encoder.start(config, {memory.get(), trial.memory}, nowhere));
+  require(encoder.start(config, {memory.get(), trial.memory}, discarding_output));
   const std::vector<std::uint64_t> steps = steps_by_slice(volume, config);
   push_all(encoder, volume, [&](std::uint32_t slices) {
     trial.slices.push_back(work_of(volume, slices, steps[slices - 1], encoder.bytes()));

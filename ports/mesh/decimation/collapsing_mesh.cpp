@@ -18,7 +18,7 @@ CollapsingMesh::CollapsingMesh(std::vector<Point> points, std::vector<Triangle> 
   for (std::uint32_t corner = 0; corner < next_corner_.size(); ++corner)
     link(triangles_[corner / 3][corner % 3], corner);
   classify_vertices();
-  name_bodies();
+  number_bodies();
 }
 
 void CollapsingMesh::classify_vertices() {
@@ -59,7 +59,7 @@ CollapsingMesh::Kind CollapsingMesh::kind_of(std::uint32_t vertex,
   return leading_from(at) == spokes.end() ? Kind::border : Kind::fixed;
 }
 
-void CollapsingMesh::name_bodies() {
+void CollapsingMesh::number_bodies() {
   Sets bodies(points_.size());
   for (const Triangle& triangle : triangles_) {
     bodies.join(triangle[0], triangle[1]);
@@ -67,7 +67,7 @@ void CollapsingMesh::name_bodies() {
   }
   body_.reserve(points_.size());
   for (std::uint32_t vertex = 0; vertex < vertex_slots(); ++vertex)
-    body_.push_back(bodies.name(vertex));
+    body_.push_back(bodies.root(vertex));
 }
 
 unsigned CollapsingMesh::count_triangles(std::uint32_t a, std::uint32_t b) const {

@@ -97,7 +97,7 @@ class CollapsingMesh {
 
   void classify_vertices();
   Kind kind_of(std::uint32_t vertex, std::vector<Spoke>& spokes) const;
-  void name_bodies();
+  void number_bodies();
   void link(std::uint32_t vertex, std::uint32_t corner);
   void unlink(std::uint32_t vertex, std::uint32_t corner);
 

@@ -68,8 +68,8 @@ SharedTriangles triangles_along_curve(const FaceMesh& mesh) {
 }
 
 // The step that reaches the target collapses edges in one order, and stops at the target. A first
-// step mostly leaves an eighth of the triangles. If more shall be left, this order is tried before
-// the blocks, which are faster but would only show that the step is the last.
+// step mostly leaves an eighth of the triangles. If the target is above that, this order is tried
+// first: the blocks are faster, but their result would be discarded.
 DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
                            const std::function<void()>& check) {
   constexpr std::uint64_t likely_part = 8;

@@ -10,7 +10,7 @@ namespace discmc::meshing {
 namespace {
 
 constexpr std::uint32_t block_triangles = 10'000;
-constexpr std::uint64_t collapses_a_check = 4096;
+constexpr std::uint64_t collapses_per_check = 4096;
 
 }  // namespace
 
@@ -90,7 +90,7 @@ void DecimationStep::collapse_queued() {
   constexpr double rounding = 1 + 1e-7;
   std::uint64_t tried = 0;
   while (!heap_.empty() && mesh_.triangle_count() > wanted_) {
-    if (check_ && ++tried % collapses_a_check == 0) check_();
+    if (check_ && ++tried % collapses_per_check == 0) check_();
     std::pop_heap(heap_.begin(), heap_.end());
     Entry entry = heap_.back();
     heap_.pop_back();

@@ -100,7 +100,7 @@ uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link 
 
 }  // namespace
 
-void Chains::put_out_ring(Fragments& fragments) const {
+void Chains::set_outgoing_ring(Fragments& fragments) const {
   const Node* const node = nodes(fragments.slots());
   uint32_t first = ring_;
   uint64_t corners[3];
@@ -138,7 +138,7 @@ void Chains::find_complete(Slots& slots) {
   std::sort(seat + front(seam_begins), seat + front(seam_begins) + complete_);
 }
 
-void Chains::put_out_complete(Fragments& fragments) {
+void Chains::set_outgoing_fragment(Fragments& fragments) {
   DISCMC_LIMIT(complete_ > 0);
   --complete_;
   const Node* const node = nodes(fragments.slots());

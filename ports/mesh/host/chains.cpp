@@ -231,7 +231,7 @@ bool Chains::find_ring(Slots& slots) {
     if (at > join && (at == Node::no_node || node[at].pass != Node::shortcut)) continue;
     ring_ = join;
     if (at != join) {
-      if (!comes_back(slots, at)) continue;
+      if (!follow_to_join(slots, at)) continue;
       for (at = join, corner = corner_; corner < corner_ + capacities_.corners;) {
         corner = node[at].append_corners(corner);
         at = node[at].next;
@@ -248,7 +248,7 @@ bool Chains::find_ring(Slots& slots) {
 
 // Whether the chain returns to the join of ring_. at: the node at which the short walk stopped. If
 // the chain does not return, adds a shortcut to the last node reached.
-DISCMC_NOINLINE bool Chains::comes_back(Slots& slots, uint32_t at) {
+DISCMC_NOINLINE bool Chains::follow_to_join(Slots& slots, uint32_t at) {
   Node* const node = nodes(slots);
   uint32_t last = at;
   while (at != ring_) {

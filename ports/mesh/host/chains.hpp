@@ -2,10 +2,10 @@
 //
 // A node is a vertex that a chain passes. Nodes are numbered as they are made, and linked in the
 // direction of the chain. A fragment is a piece of a chain. Both ends of a fragment wait: the last
-// node in a queue of tails, the first node in a queue of begins. A pass makes one node, and links
-// the node with those that the pass removes from its two queues. A straight pass makes no node: the
-// waiting node moves to the next queue. All passes run the same instructions, so no branch depends
-// on the surface.
+// node in a queue of tails, the first node in a queue of begins. A pass makes a node, and links
+// it with those that the pass removes from its two queues. A pass that only lengthens a fragment,
+// without a corner, makes none: the waiting node moves to the next queue. All passes run the same
+// instructions, so no branch depends on the surface.
 //
 // A join is a node that removes an end from both of its queues: it connects two fragments, or
 // closes a ring. find_ring() follows the chain from a join as long as its nodes are older. A ring
@@ -33,7 +33,7 @@ namespace discmc::host {
 /// The initial sizes of the area of nodes and of queues, and the limits of a ring's walk.
 struct ChainCapacities {
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
-  // A pass is a node. It may be a join, which may leave a shortcut.
+  // A pass adds at most one node. If it is a join, find_ring() may add a shortcut.
   static constexpr uint32_t max_joins = FoundPasses::max_passes;
   static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
   // The passes that may cross a seam: all passes of an edge.
@@ -115,14 +115,14 @@ class Chains {
   uint64_t* corners() { return corner_; }
   uint32_t corner_count() const { return corner_count_; }
   /// Makes the found ring outgoing, as slots.
-  void put_out_ring(Fragments& fragments) const;
+  void set_outgoing_ring(Fragments& fragments) const;
 
   /// Finds the complete fragments, between two seams. Cost: follows the fragments that begin at a
   /// seam.
   void find_complete(Slots& slots);
   bool has_complete() const { return complete_ > 0; }
   /// Makes the next complete fragment outgoing, as slots. Limit: there is one.
-  void put_out_complete(Fragments& fragments);
+  void set_outgoing_fragment(Fragments& fragments);
 
   /// Hands all fragments over to the firmware's sweep, which continues at a word of a row. Limit:
   /// no fragment is complete.
@@ -185,7 +185,7 @@ class Chains {
   void grow_queue(Slots& slots, uint32_t queue);
   void mark_tails(Slots& slots);
   void copy_open(Slots& slots);
-  bool comes_back(Slots& slots, uint32_t at);
+  bool follow_to_join(Slots& slots, uint32_t at);
 
   ChainCapacities capacities_;
   Area area_[2] = {};            // the first holds the nodes; the other is free

@@ -82,7 +82,7 @@ void Sweep::hand_over(const detail::trace::SweptRow& row) {
   if (row.role == SlabRole::below_slab) return chains_.release_all(slots());
   below_waits_ = true;
   handed_word_ = edges_.word();
-  passes_.go_on_from(handed_word_);
+  passes_.continue_from(handed_word_);
   chains_.hand_over(fragments_, row, handed_word_);
 }
 
@@ -96,7 +96,7 @@ bool Sweep::sweep_plain(const detail::trace::SweptRow& row, const BitIntake& int
     if (!chains_are_ended_) {
       if (!process_passes(row, intake, sink, statistics)) return false;
       chains_are_ended_ = true;
-      passes_.go_on_from(handed_word_);
+      passes_.continue_from(handed_word_);
     }
     if (!process_passes(row, intake, sink, statistics)) return false;
     chains_are_ended_ = false;
@@ -115,7 +115,7 @@ bool Sweep::deliver(const Sink& sink, Statistics& statistics) {
   while (chains_.find_ring(slots()))
     if (!deliver_ring(sink, statistics)) return false;
   while (chains_.has_complete()) {
-    chains_.put_out_complete(fragments_);
+    chains_.set_outgoing_fragment(fragments_);
     if (!delivery_.deliver(fragments_, sink, statistics)) return false;
   }
   is_due_ = false;
@@ -152,7 +152,7 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
   uint64_t links = 0;
   const OneRingRegion region = found_region(links);
   if (region.corner_count() == 0 || is_hole(region) || may_have_holes(region)) {
-    chains_.put_out_ring(fragments_);
+    chains_.set_outgoing_ring(fragments_);
     return delivery_.deliver(fragments_, sink, statistics);
   }
   if ((receiver_.accept == nullptr ||
@@ -171,7 +171,7 @@ bool Sweep::send_events(const OneRingRegion& region, const Sink& sink, Statistic
     return sink.accept(sink.context, event) == SinkResult::accepted;
   });
   if (sent == region.corner_count() + 3) return true;
-  chains_.put_out_ring(fragments_);
+  chains_.set_outgoing_ring(fragments_);
   delivery_.begin(fragments_);
   for (; sent > 0; --sent) delivery_.select_next(fragments_, statistics);
   return false;

@@ -3,7 +3,7 @@
 namespace discmc::meshing {
 namespace {
 
-constexpr std::uint32_t bits_an_axis = 10;
+constexpr std::uint32_t bits_per_axis = 10;
 
 // Spreads the bits of a number, with two zero bits between them.
 std::uint32_t spread(std::uint32_t number) {
@@ -17,7 +17,7 @@ std::uint32_t spread(std::uint32_t number) {
 // Curve, 2004). The curve fills a cube in steps between neighbours, so a part of it has compact
 // boxes.
 std::uint32_t place_on_curve(std::array<std::uint32_t, 3> at) {
-  for (std::uint32_t bit = 1U << (bits_an_axis - 1); bit > 1; bit /= 2)
+  for (std::uint32_t bit = 1U << (bits_per_axis - 1); bit > 1; bit /= 2)
     for (std::uint32_t& each : at) {
       const std::uint32_t below = bit - 1, is_set = (each & bit) != 0 ? ~0U : 0U;
       const std::uint32_t swapped = (at[0] ^ each) & below & ~is_set;
@@ -27,13 +27,13 @@ std::uint32_t place_on_curve(std::array<std::uint32_t, 3> at) {
   at[1] ^= at[0];
   at[2] ^= at[1];
   std::uint32_t flipped = 0;
-  for (std::uint32_t bit = 1U << (bits_an_axis - 1); bit > 1; bit /= 2)
+  for (std::uint32_t bit = 1U << (bits_per_axis - 1); bit > 1; bit /= 2)
     if ((at[2] & bit) != 0) flipped ^= bit - 1;
   return spread(at[0] ^ flipped) << 2 | spread(at[1] ^ flipped) << 1 | spread(at[2] ^ flipped);
 }
 
 std::uint32_t place_on_curve(const Box& box, const Box& all) {
-  constexpr float max_coordinate = (1U << bits_an_axis) - 1;
+  constexpr float max_coordinate = (1U << bits_per_axis) - 1;
   std::array<std::uint32_t, 3> at;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float size = all.high[axis] - all.low[axis];

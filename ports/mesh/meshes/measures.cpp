@@ -21,7 +21,7 @@ Enclosed enclosed_by(const FaceMesh& mesh, const std::vector<Point>& areas) {
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
     const Point& corner = mesh.vertices_mm[mesh.face(face)[0]];
     const double volume = dot(areas[face], difference(corner, apex)) / 3;
-    volumes[pieces.name(face)] += volume;
+    volumes[pieces.root(face)] += volume;
     all.volume_mm3 += volume;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)

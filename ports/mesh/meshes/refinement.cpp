@@ -80,7 +80,7 @@ bool has_crossings(const Vertex& from, const Vertex& to) {
 
 Refinement::Refinement(const Crossings& crossings, double tolerance)
     : crossings_(crossings),
-      // Finite: what is required is farther than any tolerance.
+      // Finite, so that a required vertex, at infinite distance, always exceeds it.
       squared_tolerance_(std::min(4 * tolerance * tolerance, std::numeric_limits<double>::max())) {}
 
 const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& side) {

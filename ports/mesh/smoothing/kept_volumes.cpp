@@ -84,7 +84,7 @@ class VolumeKeeper {
   }
 
  private:
-  // The volumes enclosed by the bodies of a surface.
+  // The pieces of a surface's polygons and crossings, as indices into pieces_.
   struct Parts {
     std::vector<std::uint32_t> of_polygon;                  // piece of each polygon
     std::array<std::vector<std::uint32_t>, 3> of_crossing;  // piece of each crossing, by axis
@@ -108,13 +108,13 @@ class VolumeKeeper {
       parts.of_crossing[axis].resize(surfaces_[number].crossings->count(axis));
     const Point& spacing = surface.spacing_mm;
     for (const Component& component : components(surface)) {
-      const auto name = static_cast<std::uint32_t>(pieces_.size());
+      const auto piece_index = static_cast<std::uint32_t>(pieces_.size());
       std::int64_t voxels = 0;
       for (const std::uint32_t polygon : component.polygons) {
         voxels += enclosed_voxels(surface.polygons[polygon]);
-        parts.of_polygon[polygon] = name;
+        parts.of_polygon[polygon] = piece_index;
         for_each_place(number, polygon, [&](Place place, const Vertex&) {
-          parts.of_crossing[place.axis][place.number] = name;
+          parts.of_crossing[place.axis][place.number] = piece_index;
         });
       }
       const double volume =
@@ -176,21 +176,21 @@ class VolumeKeeper {
       piece.faces.clear();
       piece.corners.clear();
     }
-    struct Named {
+    struct LocalCorner {
       std::uint32_t piece = no_piece, corner = 0;
     };
-    std::vector<Named> names(mesh.lattice.size());
+    std::vector<LocalCorner> local_corners(mesh.lattice.size());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-      const std::uint32_t name = of_surface_[number].of_polygon[mesh.polygons[face]];
-      Piece& piece = pieces_[name];
+      const std::uint32_t piece_index = of_surface_[number].of_polygon[mesh.polygons[face]];
+      Piece& piece = pieces_[piece_index];
       Triangle triangle;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t vertex = mesh.face(face)[i];
-        if (names[vertex].piece != name) {
-          names[vertex] = {name, static_cast<std::uint32_t>(piece.corners.size())};
+        if (local_corners[vertex].piece != piece_index) {
+          local_corners[vertex] = {piece_index, static_cast<std::uint32_t>(piece.corners.size())};
           piece.corners.push_back({mesh.lattice[vertex], false, {}});
         }
-        triangle[i] = names[vertex].corner;
+        triangle[i] = local_corners[vertex].corner;
       }
       piece.faces.push_back(triangle);
     }
@@ -321,14 +321,14 @@ class VolumeKeeper {
     };
     std::vector<Group> groups(pieces_.size());
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      Group& group = groups[touching.name(i)];
+      Group& group = groups[touching.root(i)];
       group.wanted_mm3 += pieces_[i].wanted_mm3;
       group.most_mm3 += pieces_[i].wanted_mm3 + excess[i];
       group.bodies_mm3 += std::max(pieces_[i].wanted_mm3, 0.0);
     }
     bool is_any_short = false;
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      const Group& group = groups[touching.name(i)];
+      const Group& group = groups[touching.root(i)];
       if (group.is_short())
         pieces_[i].wanted_mm3 *= group.most_mm3 / group.wanted_mm3;
       else

@@ -104,12 +104,12 @@ std::vector<Component> components(const Surface& surface) {
   std::vector<Component> found;
   std::vector<std::uint32_t> index_of(surface.polygons.size());
   for (std::uint32_t i = 0; i < index_of.size(); ++i) {
-    const std::uint32_t name = sets.name(i);
-    if (name == i) {
+    const std::uint32_t root = sets.root(i);
+    if (root == i) {
       index_of[i] = static_cast<std::uint32_t>(found.size());
       found.emplace_back();
     }
-    found[index_of[name]].polygons.push_back(i);
+    found[index_of[root]].polygons.push_back(i);
   }
   const auto& s = surface.spacing_mm;
   const double unit_mm3 = std::fabs(s[0] * s[1] * s[2]) / 8;

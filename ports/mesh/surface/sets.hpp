@@ -10,14 +10,14 @@
 
 namespace discmc::meshing {
 
-/// Sets of the numbers from 0, at first one number each. The name of a set is its lowest number.
+/// Sets of the numbers from 0, at first one number each. The root of a set is its lowest number.
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
-  /// Returns the name of the set of a number.
-  std::uint32_t name(std::uint32_t number) {
+  /// Returns the root of the set of a number.
+  std::uint32_t root(std::uint32_t number) {
     while (parent_[number] != number) {
       parent_[number] = parent_[parent_[number]];
       number = parent_[number];
@@ -25,8 +25,8 @@ class Sets {
     return number;
   }
   void join(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t first = name(a);
-    const std::uint32_t second = name(b);
+    const std::uint32_t first = root(a);
+    const std::uint32_t second = root(b);
     parent_[std::max(first, second)] = std::min(first, second);
   }
 

@@ -156,7 +156,7 @@ def test_one_slice_at_a_time_is_held(ball):
     assert len(slices) == len(ball)
 
 
-def test_what_a_generator_raises_is_raised(ball):
+def test_exceptions_of_a_generator_propagate(ball):
     def scan():
         yield ball[0]
         raise OSError("the camera is gone")
@@ -186,7 +186,7 @@ def test_labels_keep_their_sign_and_all_bits():
     assert list(discmc.extract_labels(labels.astype(np.int64))) == [-1]
 
 
-def test_the_arrays_of_a_mesh_live_without_it(ball):
+def test_arrays_outlive_their_mesh(ball):
     mesh = discmc.extract(ball, 100)
     vertices, faces = mesh.vertices, mesh.faces
     expected = vertices.copy(), faces.copy()

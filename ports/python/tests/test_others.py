@@ -18,7 +18,7 @@ def blurred(seed, shape=(30, 31, 32)):
     return np.pad(volume, 1, constant_values=-1).astype(np.float32)
 
 
-def test_marching_cubes_is_that_of_scikit_image():
+def test_marching_cubes_equals_that_of_scikit_image():
     other = pytest.importorskip("skimage.measure").marching_cubes
     for volume, level in ((ball_of(), 101.3), (blurred(1), 0), (blurred(2)[5:-5, 4:, :-3], 0)):
         for options in ({}, {"gradient_direction": "ascent"}, {"spacing": (0.5, 2.0, 3.0)}, {"step_size": 2}):

@@ -121,10 +121,10 @@ TEST_CASE("a frame truncated at any byte costs only its own row") {
     const Events events = device.accept(row_frame_of(2));
     // All bytes but the last zero may be missing; the next frame begins with a zero.
     const bool is_whole = count + 1 == whole.size();
-    const bool is_told = count > 1;
-    CHECK(events == (is_whole  ? Events{Event::row, Event::row}
-                     : is_told ? Events{Event::dropped, Event::row}
-                               : Events{Event::row}));
+    const bool is_reported = count > 1;
+    CHECK(events == (is_whole      ? Events{Event::row, Event::row}
+                     : is_reported ? Events{Event::dropped, Event::row}
+                                   : Events{Event::row}));
     CHECK(device.half == samples_of(2));
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds patience{30000};
+constexpr milliseconds silence_limit{30000};
 constexpr milliseconds longest_poll{100};
 constexpr milliseconds show_interval{100};
 
@@ -135,10 +135,11 @@ void Simulation::check_silence(Clock::time_point now) const {
   const bool is_pausing =
       scanner_.is_scanning() && scanner_.due() > now && scanner_.due() != Clock::time_point::max();
   const auto since = std::max(last_sign_, std::min(listener_.next(), now));
-  if (is_pausing || now - since < patience) return;
+  if (is_pausing || now - since < silence_limit) return;
   throw std::runtime_error(
       "the device has been silent for " +
-      std::to_string(std::chrono::duration_cast<std::chrono::seconds>(patience).count()) + " s " +
+      std::to_string(std::chrono::duration_cast<std::chrono::seconds>(silence_limit).count()) +
+      " s " +
       (scanner_.is_scanning() ? "when the scan was at row " + std::to_string(scanner_.row()) + ": "
        : scanner_.has_sent_all() ? std::string("after the last row: ")
                                  : std::string("and does not answer the start: ")) +

@@ -100,7 +100,7 @@ bool refuses_some(uint64_t offer) {
   return offer * 0x9E3779B97F4A7C15 >> 62 == 0;
 }
 
-// Returns the slots in use after queues and nodes have grown.
+// Whether the scan kept chains as nodes: then it has used many slots.
 template <class Extractor>
 bool has_kept_nodes(const Extractor& extractor) {
   return extractor.peaks().slots >= min_for_nodes / 4;

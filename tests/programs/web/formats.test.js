@@ -30,7 +30,7 @@ for (const file of files.filter((each) => !isData.test(each))) {
     test(`${file} is refused by its name, with a remedy`, () =>
       assert.rejects(openVolume(path), /^FileError: [\w.-]+: .+; .+$/s));
   else
-    test(`${file} is read as by the command`, async () => {
+    test(`${file} is read as the command reads it`, async () => {
       const beside = files.filter((each) => isData.test(each) && each.startsWith(file.split('.')[0]))
         .map((each) => join(volumes, each));
       const { info, module } = await openVolume([path, ...beside]);
@@ -42,7 +42,7 @@ for (const file of files.filter((each) => !isData.test(each))) {
     });
 }
 
-test('headerless samples take their layout from the name, as a proposal', async () => {
+test('the file name proposes the layout of headerless samples', async () => {
   const ball = roughBall();
   const path = join(folder, 'ball_48x40x36_i16.raw');
   writeFileSync(path, Buffer.from(ball.samples.buffer));
@@ -88,7 +88,7 @@ test('a truncated volume is refused with the number of missing bytes', async () 
   await assert.rejects(openVolume(path), /ends after 18 bytes/);
 });
 
-test('the axes of oblique and mirrored volumes are those of the command', async () => {
+test('the axes of oblique and mirrored volumes equal those of the command', async () => {
   const backwards = join(folder, 'backwards.nrrd');
   writeFileSync(backwards, nrrdOf({ ...roughBall(8, 8, 8), spacing: [0.5, -0.75, 1.25] }));
   assertSpacing((await openFiles([asFile(backwards)])).info.spacing, backwards);
@@ -128,7 +128,7 @@ test('left, posterior and superior are labelled as in the surface', async () => 
   assert.equal((await openFiles([asFile(path)])).info.upright, undefined);
 });
 
-test('a page has the directions of its volume inside, or none where there are none', async () => {
+test('a page contains the directions of its volume, if the volume has any', async () => {
   for (const header of ['', 'space: left-posterior-superior\nspace directions: (0,0.5,0) (0,0,2) (1,0,0)\n']) {
     const path = join(folder, 'v.nrrd');
     writeFileSync(path, nrrdOf({ ...roughBall(8, 8, 8), spacing: [0.5, -0.75, 1.25] }).toString('latin1')
@@ -149,7 +149,7 @@ const imagesIn = (folder) => readdirSync(join(dicom, folder)).map((name) => join
 
 for (const [name, paths] of [['series', imagesIn('series')], ['scaled', imagesIn('scaled')],
   ...['u16', 'u8', 'big', 'implicit', 'little', 'u16-jpeg', 'u8-jpeg', 'u16-rle', 'u8-rle'].map((name) => [`${name}.dcm`, [join(dicom, `${name}.dcm`)]])])
-  test(`dicom/${name} is read as by the command`, async () => {
+  test(`dicom/${name} is read as the command reads it`, async () => {
     const { info, module } = await openVolume(paths.reverse());
     const { otsu } = module.measure();
     module.extract(otsu, false);
@@ -171,7 +171,7 @@ test('a series with a slice that is missing in its middle is refused', async () 
   for (const reason of reasons) assert.match(reason, /mm away, and others .*--allow-gaps/);
 });
 
-test('a mesh is read as the command writes it: places, normals, triangles, name and colour', async () => {
+test('a mesh that the command writes is read whole: positions, normals, triangles, name and colour', async () => {
   const path = join(folder, 'mesh.nrrd'), glb = join(folder, 'mesh.glb'), obj = join(folder, 'mesh-{name}.obj');
   writeFileSync(path, nrrdOf(roughBall(20, 18, 16)).toString('latin1').replace(/spacings: .*\n/,
     'space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n' +
@@ -197,7 +197,7 @@ test('a mesh is read as the command writes it: places, normals, triangles, name 
   isNear([...mesh.normals], numbers('vn'), 1e-5);
 });
 
-test('glTF that is not as the command writes it is refused, with what to do', async () => {
+test('glTF in another form than the command writes is refused with a remedy', async () => {
   const glbOf = (json) => {
     const text = JSON.stringify(json).padEnd(400);
     const head = new Uint32Array([0x46546c67, 2, 28 + text.length, text.length, 0x4e4f534a]);

@@ -86,7 +86,7 @@ test('lost polygons are outlined by the sides that they shared with those that a
   }
 });
 
-test('rows that never came are in a box', async () => {
+test('lost rows are marked by a box', async () => {
   const frames = framesOf('--wire', 'slices', '--key-slices', '1');
   const { state, lines, slices } = await decoded(frames.filter((_, i) => i !== 5));
   assert.ok(state.lostPackets === 1 && state.isComplete === false);

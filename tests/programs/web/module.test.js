@@ -12,7 +12,7 @@ const file = join(folder, 'ball.nrrd');
 const ball = roughBall();
 writeFileSync(file, nrrdOf(ball));
 
-test('at 40 thresholds the polygons are those of the command, ring for ring', async () => {
+test('at 40 thresholds, the polygons equal those of the command, ring by ring', async () => {
   const { module } = await openVolume(file);
   for (let step = 0; step < 40; ++step) {
     const iso = -400 + 37.5 * step;
@@ -22,14 +22,14 @@ test('at 40 thresholds the polygons are those of the command, ring for ring', as
   }
 });
 
-test('with the noise filter the polygons are those of the command', async () => {
+test('with the noise filter, the polygons equal those of the command', async () => {
   const { module } = await openVolume(file);
   module.extract(400, true);
   assert.equal(await polygonsOf(module),
     polygonsByCommand(folder, 'extract', '--quiet', file, '--iso', '400', '--median', '3'));
 });
 
-test('the CT head at 40 thresholds, where it is at hand', async (t) => {
+test('the CT head at 40 thresholds, if the file is present', async (t) => {
   const head = join(process.env.DISCMC_DATA ?? '', 'cthead.nrrd');
   if (!process.env.DISCMC_DATA || !existsSync(head)) return t.skip('DISCMC_DATA is not set');
   const { module } = await openVolume(head);
@@ -41,7 +41,7 @@ test('the CT head at 40 thresholds, where it is at hand', async (t) => {
   }
 });
 
-test('the triangles close: every edge is there once in each direction', async () => {
+test('the mesh is closed: every edge occurs once in each direction', async () => {
   const { module } = await openVolume(file);
   module.extract(400, false);
   const { vertices, triangles, leftOut } = module.draw();
@@ -86,7 +86,7 @@ test('gradient normals point away from the middle of a ball', async () => {
   assert.ok(away > 0.9 * (normals.length / 2), `${away} of ${normals.length / 2}`);
 });
 
-test('a scan with little memory is a longer stream of the same polygons', async () => {
+test('less memory makes the stream longer; the polygons are unchanged', async () => {
   const { module } = await openVolume(file);
   module.extract(400, false);
   const expected = await polygonsOf(module);
@@ -177,7 +177,7 @@ test('any bytes after a header end in a report or an error', async () => {
   }
 });
 
-test('values are measured as the command measures them', async () => {
+test('the statistics of samples equal those of the command', async () => {
   const { module } = await openVolume(file);
   const { least, greatest, otsu, automatic, histogram } = module.measure();
   const told = command('info', file).toString();

@@ -67,7 +67,7 @@ test('a wrong array is refused with its value and the remedy', () => {
   assert.throws(() => discmc.extract(new Uint8Array(8), [0, 2, 2], 1), /an extent is 0; give/);
 });
 
-test('a decoder has the mesh so far, and all of it at the end', async () => {
+test('a decoder returns the mesh so far, and the whole mesh at the end', async () => {
   const file = join(folder, 'ball.nrrd');
   const stream = join(folder, 'ball.dmc');
   command('extract', '--quiet', file, '--iso', '400', '-o', stream);
@@ -83,7 +83,7 @@ test('a decoder has the mesh so far, and all of it at the end', async () => {
   assert.ok(Math.abs(volumeOfClosed(whole) / volumeOfClosed(mesh) - 1) < 1e-5);
 });
 
-test('meshes of a stream with fractions are those of the command, also where an axis runs backwards', async () => {
+test('meshes of a stream with fractions equal those of the command, also with mirrored axes', async () => {
   const file = join(folder, 'turned.nrrd'), stream = join(folder, 'fractions.dmc');
   const [expected, table] = [join(folder, 'expected.stl'), join(folder, 'expected.json')];
   writeFileSync(file, nrrdOf({ ...ball, spacing: [0.5, -0.75, 1.25] }));

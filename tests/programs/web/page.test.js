@@ -28,7 +28,7 @@ const setThreshold = (page, iso) => page.evaluate((value) => {
   slider.dispatchEvent(new Event('input', { bubbles: true }));
 }, iso);
 
-test('dragged over 40 thresholds, each surface is that of the command', async () => {
+test('while 40 thresholds are dragged over, each surface equals that of the command', async () => {
   const { page, complaints } = await openPage(browser);
   await openFiles(page, volume);
   for (let step = 0; step < 40; ++step) {
@@ -58,7 +58,7 @@ test('a file that is dropped on the page is opened', async () => {
   await page.context().close();
 });
 
-test('every format is known in a browser, too', async () => {
+test('every format is read in a browser', async () => {
   const { page, complaints } = await openPage(browser);
   const volumes = new URL('../../command/volumes/', import.meta.url).pathname;
   for (const file of ['nrrd/i16-big-gzip.nrrd', 'nifti1/i16-little.nii.gz', 'nifti2/f32-big.nii',
@@ -186,7 +186,7 @@ test('the view is the same after a lost WebGL context is restored', async () => 
   await page.context().close();
 });
 
-test('a stream that is wider than can be drawn is refused with what to do', async () => {
+test('a stream too wide to draw is refused with a remedy', async () => {
   const { page } = await openPage(browser);
   const raw = join(folder, 'wide.raw'), path = join(folder, 'wide.dmc');
   writeFileSync(raw, Buffer.alloc(20000 * 2 * 2, 1));
@@ -361,7 +361,7 @@ test('the slice follows the pointer on the surface, until one is chosen', async 
   await page.context().close();
 });
 
-test('a measurement goes with its surface, and a cut does not follow the pointer', async () => {
+test('a measurement disappears with its surface, and a cut does not follow the pointer', async () => {
   const { page } = await openPage(browser);
   await openFiles(page, volume);
   await rested(page);
@@ -379,7 +379,7 @@ test('a measurement goes with its surface, and a cut does not follow the pointer
   await page.context().close();
 });
 
-test('the planes that are left out face away wherever in the space they lie', () => {
+test('omitted planes face away at any position in space', () => {
   const planes = planesOf([0.5, -0.75, 2]);
   const ends = Uint32Array.from(planes, (_, incidence) => incidence + 1);
   const halves = [20, 30, 10];
@@ -436,7 +436,7 @@ async function extentOf(page) {
   return { wide: columns.size, high: rows.size };
 }
 
-test('a head is upright, however its slices lie', async () => {
+test('a head is upright for any direction of its slices', async () => {
   const { page } = await openPage(browser, { viewport: small });
   const samples = new Int16Array(12 * 12 * 12).fill(0);
   // A rod along the voxels' x, y or z, which the header maps to the direction of the head.
@@ -485,7 +485,7 @@ test('a threshold that no voxel reaches is reported', async () => {
   await page.context().close();
 });
 
-test('on a phone a message is seen wherever the page is scrolled to', async () => {
+test('on a phone, messages are visible at any scroll position', async () => {
   const { page } = await openPage(browser, { viewport: { width: 390, height: 844 } });
   await openFiles(page, volume);
   await page.locator('#save-head').scrollIntoViewIfNeeded();

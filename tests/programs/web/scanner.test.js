@@ -22,7 +22,7 @@ async function sentBy(t, ...options) {
   return Buffer.from(await (await fetch(`${address}data`)).arrayBuffer());
 }
 
-test('the page gets what the firmware makes of the volume, byte for byte', async (t) => {
+test('the page receives the stream of the firmware, byte by byte', async (t) => {
   const sent = await sentBy(t);
   const memory = readFileSync(join(build, 'scanner/scan.hpp'), 'utf8').match(/arena_bytes = (\d+)/)[1];
   command('extract', '--quiet', volume, '--iso', '400', '--memory', memory, '-o', stream);

@@ -57,7 +57,7 @@ test('labels are served as meshes', async (t) => {
   assert.equal(await end(), 0);
 });
 
-test('a stream on standard input is shown while it comes; who comes later gets all of it', async (t) => {
+test('a stream on standard input is shown as it arrives; later clients get all of it', async (t) => {
   const { address, input, end } = await served(t, '-');
   input.write(bytes.subarray(0, half));
   const first = await openPage(browser, { address });
@@ -135,7 +135,7 @@ const sendAll = (address, first, pieces) => new Promise((resolve) => {
   });
 });
 
-test('headers without end are not kept, and others are served meanwhile', async (t) => {
+test('endless headers close their connection, and other clients are served meanwhile', async (t) => {
   const { address, end } = await served(t, stream);
   const { host } = new URL(address);
   const mebibyte = `X: ${'a'.repeat(4091)}\r\n`.repeat(256), endless = Array(64).fill(mebibyte);

@@ -98,7 +98,7 @@ test('labels, each in its colour and with its name; smooth first, flat by a clic
   await page.context().close();
 });
 
-test('a mesh can be measured in its coordinates and cut, and makes way for a volume', async () => {
+test('a mesh can be measured in its coordinates and cut, and a volume replaces it', async () => {
   const stl = join(folder, 'placed.stl');
   command('extract', '--quiet', labels, '--label', '1', '-o', stl);
   command('view', stl, '-o', path, '--no-open');

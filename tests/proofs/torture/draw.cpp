@@ -12,7 +12,7 @@ namespace {
 using shapes::Below;
 
 // Enough for fragments, and for a host's queues to grow, in nearly all volumes. Limit: 64 MiB.
-Capacities much(const Limits& limits, uint32_t slices) {
+Capacities ample_capacities(const Limits& limits, uint32_t slices) {
   constexpr uint32_t slots_per_voxel = 64, most = 1U << 22;
   const uint32_t voxels = limits.width * limits.height * (slices + 2);
   const uint32_t slots = std::min(host::Chains::min_slots + slots_per_voxel * voxels, most);
@@ -125,7 +125,7 @@ Arrangement in_much_memory(const PlacedVolume& volume, Scanner scanner, uint32_t
   Arrangement arrangement;
   uint32_t first = volume.first_own();
   for (const uint32_t end : ends_of(volume, [slices](uint32_t) { return slices; })) {
-    const Capacities most = much(volume.limits_of_slab(first, end), end - first);
+    const Capacities most = ample_capacities(volume.limits_of_slab(first, end), end - first);
     arrangement.slabs.push_back({first, end, scanner, most, 0, 0, 0, 0});
     first = end;
   }
@@ -143,7 +143,7 @@ Arrangement draw_arrangement(const PlacedVolume& volume, const Below& below) {
   uint32_t first = volume.first_own();
   for (const uint32_t end : draw_ends(volume, below)) {
     const Scanner scanner = draw_scanner(scanners, below);
-    const Capacities most = much(volume.limits_of_slab(first, end), end - first);
+    const Capacities most = ample_capacities(volume.limits_of_slab(first, end), end - first);
     Capacities memory = draw_memory(memories < 8 ? memories : below(6), most, below);
     if (scanner == Scanner::narrow) memory = within_narrow(memory);
     arrangement.slabs.push_back(

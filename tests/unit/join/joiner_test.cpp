@@ -617,7 +617,7 @@ TEST_CASE("the loss of a passed-on fragment is reported to the sink") {
   CHECK(join_all(events, plan).events.empty());
 }
 
-TEST_CASE("a region with a loss takes no holes") {
+TEST_CASE("a region with a loss claims no holes") {
   const Nest nest({1, 0, 0});
   Events begun = nest.begin_region(0).lost().events;
   append(begun, test::Script().region(test::up).region_end().events);
@@ -855,7 +855,7 @@ TEST_CASE("a region interrupted by a fragment leaves the holes for the next regi
   CHECK(std::equal(first.begin(), first.end(), joined.events.begin()));
 }
 
-TEST_CASE("a region interrupted by the finish event takes no holes") {
+TEST_CASE("a region interrupted by the finish event claims no holes") {
   // The hole lies beside it, and its ray meets two sides.
   const Events hole = square_fragment(inwards({1, 0, 0}, 2) + Vertex{-60, 0, 0}, 2, true);
   const Events whole = Nest({1, 0, 0}).region(0, false);

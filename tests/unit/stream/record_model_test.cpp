@@ -397,8 +397,8 @@ TEST_CASE("a ring is closed exactly by two directions and lengths that lead back
         for (const uint32_t most : {uint32_t{3}, max_compact_length}) {
           const auto m = static_cast<int32_t>(1 + chance.below(most));
           const auto n = static_cast<int32_t>(1 + chance.below(most));
-          const PlaneWay way{m * a.u + n * b.u, m * a.v + n * b.v};
-          const Closure closure = close_ring(a, b, way);
+          const PlaneVector vector{m * a.u + n * b.u, m * a.v + n * b.v};
+          const Closure closure = close_ring(a, b, vector);
           CHECK(closure.is_valid);
           CHECK(closure.first == static_cast<uint32_t>(m));
           CHECK(closure.second == static_cast<uint32_t>(n));
@@ -420,18 +420,18 @@ TEST_CASE("a ring is closed exactly by two directions and lengths that lead back
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {1, 2}).is_valid);
 }
 
-TEST_CASE("the way between two points is a run along a direction, or empty") {
+TEST_CASE("the vector between two points is a run along a direction, or empty") {
   for (uint32_t link_class = 0; link_class < 3; ++link_class) {
     const uint32_t count = 4 + 2 * link_class;
     const PlaneStep* const steps = plane_steps_of(link_class);
     for (uint8_t d = 0; d < count; ++d) {
-      const auto way = [&](uint32_t length) {
+      const auto vector = [&](uint32_t length) {
         const auto times = static_cast<int32_t>(length);
-        return PlaneWay{times * steps[d].u, times * steps[d].v};
+        return PlaneVector{times * steps[d].u, times * steps[d].v};
       };
       for (const uint32_t length : {1U, 2U, 7U, max_compact_length})
-        CHECK(run_along(steps, count, way(length)).code() == Run::straight(d, length).code());
-      CHECK(run_along(steps, count, way(max_compact_length + 1)).is_empty());
+        CHECK(run_along(steps, count, vector(length)).code() == Run::straight(d, length).code());
+      CHECK(run_along(steps, count, vector(max_compact_length + 1)).is_empty());
     }
     CHECK(run_along(steps, count, {0, 0}).is_empty());
     CHECK(run_along(steps, count, {7, 3}).is_empty());

@@ -28,8 +28,9 @@ BitVolume half_space(Size size, const Vertex& n, uint32_t noise, uint64_t seed) 
   return volume;
 }
 
-// Compares the regions and events of holes in lists and in a tree.
-std::string unlike_with_either(const BitVolume& volume) {
+// Returns how the regions differ between holes in lists, holes in a tree and the reference; empty
+// if they agree.
+std::string difference_of_indexes(const BitVolume& volume) {
   const Collector lists = scan<uint16_t>(volume), tree = scan<uint32_t>(volume);
   if (lists.regions() != tree.regions()) return "the tree's regions differ from those of the lists";
   return unlike_merge(lists.regions(), volume, true);
@@ -46,7 +47,7 @@ TEST_CASE("a hole is assigned to the ring around it in planes of every direction
           half_space({11, 11, 11}, incidence_normal(incidence), noise, incidence);
       const Collector swept = scan<uint16_t>(volume);
       CAPTURE(incidence);
-      CHECK(unlike_with_either(volume) == "");
+      CHECK(difference_of_indexes(volume) == "");
       holes += swept.statistics().rings - swept.statistics().regions;
     }
   }
@@ -66,7 +67,7 @@ TEST_CASE("a hole is assigned to the ring around it, not to a ring with an obliq
     const BitVolume volume =
         half_space(known.size, incidence_normal(known.incidence), known.noise, known.seed);
     CAPTURE(known.seed);
-    CHECK(unlike_with_either(volume) == "");
+    CHECK(difference_of_indexes(volume) == "");
   }
 }
 
@@ -81,7 +82,7 @@ TEST_CASE("a hole belongs to its own ring, although a corner of another is on it
     for (int64_t x = 0; x < 14; ++x) volume.on[volume.index(x, 1, z)] = picture[z][x] == '#';
   for (const auto& [x, z] : {std::pair{6, 6}, {11, 6}, {11, 7}})
     volume.on[volume.index(x, 0, z)] = 1;
-  CHECK(unlike_with_either(volume) == "");
+  CHECK(difference_of_indexes(volume) == "");
 }
 
 TEST_CASE("a hole is assigned to its own ring, even if its slot is reused") {
@@ -97,7 +98,7 @@ TEST_CASE("a hole is assigned to its own ring, even if its slot is reused") {
           (row == 2 && (column == 2 || column == 4)) || (row == 3 && column >= 2 && column <= 4);
       volume.on[volume.index(x, y, 3)] = column < 7 && row < (x / 8 % 2 == 0 ? 6 : 8) && !is_hole;
     }
-  CHECK(unlike_with_either(volume) == "");
+  CHECK(difference_of_indexes(volume) == "");
 }
 
 TEST_CASE_TEMPLATE("a hole is found by its plane, and at the end if no ring encloses it", Index,
@@ -214,14 +215,14 @@ TEST_CASE("each ring on a plane gets its own holes from many") {
                                        : is_slot ? (x + y) % 23 == 2 && y % 11 > 1
                                                  : is_on;
     }
-  CHECK(unlike_with_either(plate) == "");
+  CHECK(difference_of_indexes(plate) == "");
   const Statistics counts = scan<uint32_t>(plate).statistics();
   CHECK(counts.rings - counts.regions > 30);
   BitVolume upright({3, 47, 61});  // the same on a plane along z
   for (int64_t z = 0; z < 61; ++z)
     for (int64_t y = 0; y < 47; ++y)
       upright.on[upright.index(1, y, z)] = plate.on[plate.index(z, y, 1)];
-  CHECK(unlike_with_either(upright) == "");
+  CHECK(difference_of_indexes(upright) == "");
 }
 
 TEST_CASE_TEMPLATE("the peak counts the holes that wait at once, and each scan resets it", Index,

@@ -56,7 +56,7 @@ class Ends {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("lost ends keep their places among other ends", Index, uint16_t, uint32_t) {
+TEST_CASE_TEMPLATE("lost ends keep their positions among other ends", Index, uint16_t, uint32_t) {
   // A count that needs more than two bytes.
   for (const uint32_t many : {1U, 2U, 0xFFFFU, 0x10000U, 0x30001U}) {
     CAPTURE(many);

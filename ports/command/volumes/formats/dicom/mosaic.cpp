@@ -21,9 +21,9 @@ namespace {
 using CsaHeader = std::map<std::string, std::vector<std::string>>;
 
 // Removes little-endian numbers and texts from the front; returns nothing beyond the end.
-class Taker {
+class ByteParser {
  public:
-  explicit Taker(std::string_view bytes) : left_(bytes) {}
+  explicit ByteParser(std::string_view bytes) : left_(bytes) {}
 
   std::optional<std::string_view> bytes(std::size_t count) {
     if (count > left_.size()) return std::nullopt;
@@ -52,27 +52,28 @@ struct Element {
   std::uint32_t items = 0;
 };
 
-std::optional<Element> take_element(Taker& taker) {
-  const auto name = taker.bytes(64);
-  const auto values = taker.number();
-  const auto kind = taker.bytes(8);  // the value representation, twice
-  const auto items = taker.number();
-  const auto check = taker.number();
+std::optional<Element> parse_element(ByteParser& parser) {
+  const auto name = parser.bytes(64);
+  const auto values = parser.number();
+  const auto kind = parser.bytes(8);  // the value representation, twice
+  const auto items = parser.number();
+  const auto check = parser.number();
   if (!name || !values || !kind || !items || !check) return std::nullopt;
   return Element{text(*name), *values, *items};
 }
 
 // Four numbers precede an item. In the newer kind, the second is the length of the item. In the
 // older kind, the first is this length plus an excess, the item count of the first element.
-std::optional<std::string_view> take_item(Taker& taker, bool is_newer, std::uint32_t excess) {
-  const auto first = taker.number();
-  const auto second = taker.number();
-  if (!first || !second || !taker.bytes(8)) return std::nullopt;
+std::optional<std::string_view> parse_item(ByteParser& parser, bool is_newer,
+                                           std::uint32_t excess) {
+  const auto first = parser.number();
+  const auto second = parser.number();
+  if (!first || !second || !parser.bytes(8)) return std::nullopt;
   if (!is_newer && *first < excess) return std::nullopt;
   const std::uint32_t length = is_newer ? *second : *first - excess;
-  const auto item = taker.bytes(length);
+  const auto item = parser.bytes(length);
   const std::uint32_t padding = (4 - length % 4) % 4;
-  if (!item || !taker.bytes(padding)) return std::nullopt;
+  if (!item || !parser.bytes(padding)) return std::nullopt;
   return item;
 }
 
@@ -82,17 +83,17 @@ CsaHeader read_csa_header(std::string_view bytes) {
   constexpr std::uint32_t max_elements = 1000;
   const bool is_newer = bytes.substr(0, 4) == "SV10";
   if (is_newer) bytes.remove_prefix(std::min<std::size_t>(8, bytes.size()));
-  Taker taker(bytes);
+  ByteParser parser(bytes);
   CsaHeader header;
-  const auto elements = taker.number();
-  if (!elements || *elements > max_elements || !taker.number()) return header;
+  const auto elements = parser.number();
+  if (!elements || *elements > max_elements || !parser.number()) return header;
   std::uint32_t excess = 0;
   for (std::uint32_t i = 0; i < *elements; ++i) {
-    const auto element = take_element(taker);
+    const auto element = parse_element(parser);
     if (!element) return header;
     if (i == 0) excess = element->items;
     for (std::uint32_t item = 0; item < element->items; ++item) {
-      const auto value = take_item(taker, is_newer, excess);
+      const auto value = parse_item(parser, is_newer, excess);
       if (!value) return header;
       if (item < element->values) header[element->name].push_back(text(*value));
     }
