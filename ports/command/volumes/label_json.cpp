@@ -40,7 +40,7 @@ std::optional<LabelDescription> label_in(const std::string& key, const Json& val
 
 }  // namespace
 
-LabelTable read_label_json(const std::filesystem::path& file) {
+LabelTable read_label_json(const std::string& file) {
   std::ifstream in(file);
   const Json json = Json::parse(in, nullptr, false);
   const std::string remedy = R"(give a file with {"labels": {"liver": 1}}, as dataset.json is)";

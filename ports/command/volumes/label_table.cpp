@@ -1,6 +1,7 @@
 #include "label_table.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
@@ -150,7 +151,7 @@ class Reader {
 
 }  // namespace
 
-LabelTable read_label_table(const std::filesystem::path& file) {
+LabelTable read_label_table(const std::string& file) {
   std::ifstream in(file);
   std::error_code ignored;
   if (!in || std::filesystem::is_directory(file, ignored))

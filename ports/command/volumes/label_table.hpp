@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,12 +43,12 @@ inline std::optional<LabelValue> label_value(std::string_view text) {
 /// JSON: a file of read_label_json().
 /// Skips empty lines, and lines that begin with #. Throws VolumeError with the number of an invalid
 /// line.
-LabelTable read_label_table(const std::filesystem::path& file);
+LabelTable read_label_table(const std::string& file);
 
 /// Reads the object "labels" of nnU-Net's dataset.json: {"liver": 1, "kidney": [2, 3]}. Its first
 /// version and the Medical Segmentation Decathlon have {"1": "liver"}. Throws VolumeError for other
 /// content. https://github.com/MIC-DKFZ/nnUNet/blob/master/documentation/dataset_format.md
-LabelTable read_label_json(const std::filesystem::path& file);
+LabelTable read_label_json(const std::string& file);
 
 /// Parses red, green and blue from 0 to 1; returns nothing if a text is another number.
 std::optional<Srgb> colour_of_shares(const std::array<std::string_view, 3>& texts);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <system_error>
 
@@ -91,8 +92,8 @@ void set_scale(VolumeInfo& info, const std::string& file, double slope, double i
   info.intercept = slope == 0 ? 0 : intercept;
 }
 
-void require_possible(const std::filesystem::path& file, const std::string& what,
-                      std::uint64_t bytes, std::uint64_t expansion) {
+void require_possible(const std::string& file, const std::string& what, std::uint64_t bytes,
+                      std::uint64_t expansion) {
   std::error_code error;
   const std::uint64_t stored = std::filesystem::file_size(file, error);
   if (!error && bytes / expansion > stored)

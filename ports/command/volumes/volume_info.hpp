@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,8 +64,8 @@ void set_scale(VolumeInfo& info, const std::string& file, double slope, double i
 
 /// Throws if a file cannot hold what it declares: small files may declare large pictures. what: "a
 /// slice". Units: bytes, before any packing. expansion: the largest effect of a packing.
-void require_possible(const std::filesystem::path& file, const std::string& what,
-                      std::uint64_t bytes, std::uint64_t expansion = 16384);
+void require_possible(const std::string& file, const std::string& what, std::uint64_t bytes,
+                      std::uint64_t expansion = 16384);
 
 /// Selects a part of the volume, or enlarges its voxels. Voxel (0, 0, 0) has its centre at `first`,
 /// and its neighbours are `step` away, so every voxel keeps its place. Units: original voxels.

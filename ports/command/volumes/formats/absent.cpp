@@ -57,7 +57,7 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path, const
        "install nlohmann-json3-dev and build again, or convert, e.g. to NumPy with zarr in Python");
 }
 
-LabelTable read_label_json(const std::filesystem::path& file) {
+LabelTable read_label_json(const std::string& file) {
   fail(file, "this is JSON, and discmc was built without nlohmann-json",
        "give a table with a line per label, such as: 1 liver");
 }
