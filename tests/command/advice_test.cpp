@@ -66,7 +66,7 @@ struct Inputs : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Inputs, "the advice of messages about inputs works") {
+TEST_CASE_FIXTURE(Inputs, "commands that messages about inputs advise succeed") {
   const std::string out = " -q -o out.stl";
   check_advice(
       {{"extract two.nrrd --iso 5" + out, "choose one with --frame N, the first is 0",
@@ -120,7 +120,7 @@ TEST_CASE_FIXTURE(Inputs, "the advice of messages about inputs works") {
                  "can be read only once; store it in a file"));
 }
 
-TEST_CASE_FIXTURE(Inputs, "the advice of messages about volumes in files works") {
+TEST_CASE_FIXTURE(Inputs, "commands that messages about volumes in files advise succeed") {
   write("colours.nrrd", nrrd("type: uchar\nencoding: ascii\nkinds: vector domain domain domain\n"
                              "spacings: nan 1 1 1\n",
                              "2 6 5 4") +
@@ -171,7 +171,7 @@ TEST_CASE_FIXTURE(Inputs, "the advice of messages about volumes in files works")
                  "extract masks/both.nii --labels all -q -o out.glb"}});
 }
 
-TEST_CASE_FIXTURE(Inputs, "the advice of messages about options works") {
+TEST_CASE_FIXTURE(Inputs, "commands that messages about options advise succeed") {
   const std::string iso = "extract v.nrrd --iso 100 -q ";
   const std::string stl = iso + "-o out.stl ", ply = iso + "-o out.ply ", dmc = iso + "-o out.dmc ";
   const std::string all = "extract labels.nrrd --labels all -q ";
@@ -271,7 +271,7 @@ TEST_CASE_FIXTURE(Inputs, "the advice of messages about options works") {
   done(iso + "-o 'none/{name}.stl'");
 }
 
-TEST_CASE_FIXTURE(Inputs, "the advice of messages about pages works") {
+TEST_CASE_FIXTURE(Inputs, "commands that messages about pages advise succeed") {
   if (discmc::command::page_template().empty()) return;
   check_advice({{"view v.nrrd --no-open --median 3 -o out.html", "add --iso auto",
                  "view v.nrrd --no-open --median 3 --iso auto -o out.html"},

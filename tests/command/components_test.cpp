@@ -108,7 +108,7 @@ TEST_CASE("--largest keeps a body with its own cavities, and no body that lies i
   CHECK(volumes(each[2])[0] == doctest::Approx(all[2]));
 }
 
-TEST_CASE("the largest are kept, and those that enclose enough") {
+TEST_CASE("components are kept by their rank and by a minimum volume") {
   BitVolume volume({20, 20, 20});
   put_box(volume, {1, 1, 1}, {4, 4, 4}, 1);
   put_box(volume, {10, 10, 10}, {15, 15, 15}, 1);

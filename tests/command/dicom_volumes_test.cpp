@@ -287,7 +287,7 @@ TEST_CASE_FIXTURE(Folder, "times in one file are separated and chosen") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "files of all slices each are as many volumes") {
+TEST_CASE_FIXTURE(Folder, "files that each hold all slices are separate volumes") {
   for (const int number : {0, 1}) {
     Dataset data = frames();
     put_at(data, position(0)).text(0x00180050, "DS", "2.5");

@@ -47,7 +47,7 @@ struct Masked : Workshop {
 }  // namespace
 
 TEST_CASE_FIXTURE(Masked,
-                  "all labels with a mask are as many meshes as if each were asked for with it") {
+                  "--labels all with a mask writes the meshes of separate --label options") {
   for (char& sample : samples) sample = static_cast<char>(sample & 3);
   write("v.nrrd", nrrd_of(samples));
   done("extract v.nrrd --labels all --mask m.nrrd -o 'all-{name}.stl'");

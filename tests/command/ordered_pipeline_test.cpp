@@ -59,7 +59,7 @@ TEST_CASE("no more items are held than twice the jobs") {
   }
 }
 
-TEST_CASE("one job is the thread that asks") {
+TEST_CASE("a single job runs in the calling thread") {
   const auto own = std::this_thread::get_id();
   run_in_order<int>(
       1, 3, [](std::size_t, int&) {},

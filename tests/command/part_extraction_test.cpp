@@ -238,7 +238,7 @@ TEST_CASE("a truncated volume is refused as in one sweep, and no file is left") 
   }
 }
 
-TEST_CASE("jobs that cannot be are refused, with the remedy") {
+TEST_CASE("--jobs 0, and --jobs for a stream with gradient normals, are refused") {
   const command_tests::Workshop workshop;
   workshop.write("v.raw", std::string(4 * 4 * 4, 'a'));
   const auto refused = [&](const std::string& options, const std::string& part) {

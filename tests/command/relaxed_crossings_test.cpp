@@ -109,7 +109,7 @@ TEST_CASE("crossings in the middle intersect in no configuration of a cell, so r
   }
 }
 
-TEST_CASE("crossings of faces that would intersect go back") {
+TEST_CASE("separate() leaves no intersecting faces in noise") {
   // With all crossings far from the middle, some faces of noise intersect.
   const Field field = noise({12, 12, 12}, 8);
   const Extracted of = extracted(field);

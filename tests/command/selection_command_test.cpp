@@ -35,7 +35,7 @@ TEST_CASE_FIXTURE(Workshop, "a label selects the voxels of one value") {
                  "classic Marching Cubes: 0 triangles"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "several surfaces are as many meshes, with their names") {
+TEST_CASE_FIXTURE(Workshop, "each of several surfaces is written to a mesh file with its name") {
   write("v.raw", volume_files::stored(volume_files::SampleType::u8));
   const std::string told = done(ramp + "--iso 100 --iso 20.5 --iso=-1 -o '{name} of v.stl'");
   for (const std::string iso : {"100", "20.5", "-1"}) {

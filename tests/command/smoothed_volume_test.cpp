@@ -234,7 +234,7 @@ TEST_CASE("a blur keeps constants, and ramps away from the ends") {
               doctest::Approx(5.0 + 2 * x + 3 * y + 7 * slice));
 }
 
-TEST_CASE("a blur spreads a voxel as the Gaussian has it") {
+TEST_CASE("a blurred voxel has the weights of a Gaussian, with a sum of 1") {
   const Grid grid{{15, 15, 15}, {1, 1, 1}};
   BitVolume one({15, 15, 15});
   one.on[one.index(7, 7, 7)] = 1;

@@ -31,7 +31,8 @@ bool has(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a wrong extent or number of samples is named") {
+TEST_CASE(
+    "wrong extents, a wrong number of samples and a null pointer are refused with the reason") {
   CHECK(message_of([] {
           return mesh_of(samples, {0, 3, 3}, 1);
         }) == "an extent is 0; give 1 to 1073741823 voxels");
@@ -55,7 +56,7 @@ TEST_CASE("a wrong extent or number of samples is named") {
   CHECK(has(text, "divide the array"));
 }
 
-TEST_CASE("a level that is no number or runs backwards is named") {
+TEST_CASE("a level of NaN, and a range that ends below its beginning, are refused with the value") {
   CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, {5, 2}); }), "from 5 to 2"));
   CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, std::nan("")); }), "nan"));
 }

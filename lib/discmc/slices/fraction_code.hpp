@@ -1,6 +1,6 @@
-// Codes or reads the fractions of a row after its voxels. A fraction is where the surface crosses
-// an edge between two voxels, in eighths (fraction.hpp). They are in the order of x; those of one
-// voxel are along x, y and z.
+// Encodes or decodes the fractions of a row after its voxels. A fraction is where the surface
+// crosses an edge between two voxels, in eighths (fraction.hpp). Fractions are in the order of x. A
+// voxel has up to three, in the order of the axes x, y and z.
 //
 // A receiver that lacks the slice before a key slice cannot find the edges along z that cross into
 // it. So the fractions of these edges come last, after their number, and no other fraction depends

@@ -1,4 +1,4 @@
-// Codes or reads a row of bits: voxel by voxel, or run by run where all neighbours are alike.
+// Encodes or decodes a row of bits: voxel by voxel, or run by run if all neighbours are alike.
 #ifndef DISCMC_SLICES_ROW_CODE_HPP
 #define DISCMC_SLICES_ROW_CODE_HPP
 

@@ -108,7 +108,7 @@ constexpr uint32_t first_back(Incidence incidence) {
   return half + first_forth;
 }
 
-/// The maximum length of a run in a whole region; longer regions are sent in parts.
+/// The maximum length of a run in a whole region. A region with a longer run is sent in parts.
 constexpr uint32_t max_compact_length = 0xFFFF;
 
 /// The grammar of records, and the state that continues from record to record of a packet. A copy
@@ -257,7 +257,7 @@ uint32_t RecordModel<Coder>::number(uint32_t context, uint32_t value) {
   return uint32_t{2} << bits | raw_bits(bits + 1, value);
 }
 
-// Records are all regions with ample memory; with little memory many are fragments.
+// With ample memory all records are regions; with little memory many are fragments.
 template <class Coder>
 RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
   kind = static_cast<RecordKind>(

@@ -48,7 +48,7 @@ constexpr LinkSteps link_steps() {
 }  // namespace derive
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
-/// A side is not split up to this distance of places.
+/// A side is full, and is split, if its ends are at least this many places apart.
 constexpr uint32_t max_side_places = 4080;
 
 /// Whether a side between two places is full, so that it must be split here. After two full sides

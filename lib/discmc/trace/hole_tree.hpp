@@ -41,9 +41,9 @@ class Holes<uint32_t, Normal> {
     return waiting_.any_on_plane(Nodes{slots}, incidence, at) != no_slot;
   }
 
-  /// Marks and counts the holes in a ring, or for a fragment all on its plane. Limit: none is
-  /// marked. Cost: a look-up per line of the plane that a side crosses and that has holes, and per
-  /// marked hole.
+  /// Marks the holes inside a ring, or all holes on the plane of a fragment. Returns their number.
+  /// Limit: none is marked. Cost: a look-up per line of the plane that a side crosses and that has
+  /// holes, and per marked hole.
   uint32_t mark(Slots& slots, const Ring& by) {
     if (by.kind == Ring::Kind::ring) return mark_inside(slots, by);
     uint32_t marked = 0;

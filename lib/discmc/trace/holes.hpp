@@ -39,9 +39,9 @@ class Holes {
   /// Whether there are holes on the plane of a vertex. Cost: the holes of a list.
   bool has_any(const Slots& slots, Incidence incidence, const Vertex& at) const;
 
-  /// Marks and counts the holes in a ring, or for a fragment all on its plane. Limit: none is
-  /// marked. Cost: the holes of the list, and the ring's runs; for each hole in the ring's extent,
-  /// the runs again.
+  /// Marks the holes inside a ring, or all holes on the plane of a fragment. Returns their number.
+  /// Limit: none is marked. Cost: the holes of the list, and the ring's runs; for each hole in the
+  /// ring's extent, the runs again.
   uint32_t mark(Slots& slots, const Outgoing<Index>& by);
 
   /// Removes one of the holes that the last mark() has marked. Returns its runs and their start.

@@ -25,13 +25,13 @@ RowReceiver receiver(row_bytes);
 uint32_t rows_emptied = 0;
 uint32_t rows_reported = 0;
 uint32_t frames_dropped = 0;
-bool start_is_taken = false;
+bool start_is_accepted = false;
 bool start_is_refused = false;
 
 // Returns the next answer that is due; false if there is none.
 bool next_answer(row_frame::Answer& answer) {
-  if (start_is_taken) {
-    start_is_taken = false;
+  if (start_is_accepted) {
+    start_is_accepted = false;
     answer = row_frame::Answer::ready;
   } else if (start_is_refused) {
     start_is_refused = false;
@@ -60,7 +60,7 @@ void receive(uint8_t byte) {
     case RowReceiver::Event::nothing:
       break;
     case RowReceiver::Event::start:
-      start_is_taken = true;
+      start_is_accepted = true;
       break;
     case RowReceiver::Event::refused:
       start_is_refused = true;

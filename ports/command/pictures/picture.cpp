@@ -194,7 +194,7 @@ class Outlines {
  public:
   Outlines(const Canvas& canvas, const FaceMesh& mesh) : canvas_(canvas), mesh_(mesh) {}
 
-  bool pass(int x, int y) const {
+  bool is_outline(int x, int y) const {
     const std::uint64_t polygon = polygon_at(x, y);
     return (x + 1 < canvas_.width() && polygon_at(x + 1, y) != polygon) ||
            (y + 1 < canvas_.height() && polygon_at(x, y + 1) != polygon);
@@ -218,8 +218,8 @@ std::vector<std::uint8_t> srgb_of_4096() {
   return table;
 }
 
-Picture develop(const Canvas& canvas, const FaceMesh& mesh, Shader& shader,
-                const PictureOptions& options) {
+Picture shaded_picture(const Canvas& canvas, const FaceMesh& mesh, Shader& shader,
+                       const PictureOptions& options) {
   const std::vector<std::uint8_t> to_srgb = srgb_of_4096();
   const Outlines outlines(canvas, mesh);
   constexpr int samples = samples_per_side * samples_per_side;
@@ -240,7 +240,7 @@ Picture develop(const Canvas& canvas, const FaceMesh& mesh, Shader& shader,
           picture.shows_mesh = true;
           colour = shader.colour(sample.face, sample.is_inside, x + 0.5, y + 0.5);
         }
-        const bool is_dark = options.draws_outlines && outlines.pass(x, y);
+        const bool is_dark = options.draws_outlines && outlines.is_outline(x, y);
         for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c] * (is_dark ? outline_light : 1);
       }
       for (const float light : sum) {
@@ -282,7 +282,7 @@ Picture draw(const FaceMesh& mesh, const PictureOptions& options) {
     if (!outline.empty()) canvas.fill(outline, static_cast<std::uint32_t>(face));
   }
   Shader shader(mesh, vertices, axes, options);
-  return develop(canvas, mesh, shader, options);
+  return shaded_picture(canvas, mesh, shader, options);
 }
 
 void write_picture(const Picture& picture, std::ostream& out) {

@@ -10,14 +10,14 @@
 namespace discmc::command {
 namespace {
 
-constexpr double bits_a_byte = 10;  // 8N1
+constexpr double bits_per_byte = 10;  // 8N1
 
 double seconds(const DeviceWork& work, Wire wire, const Device& device) {
   return cycles_of(work, device.sample_bytes, cycle_costs(device.core, wire)) / device.clock_hz;
 }
 
 // Returns the rate in the slowest slice.
-double rows_a_second_at_worst(const Trial& trial, Wire wire, const Device& device) {
+double rows_per_second_at_worst(const Trial& trial, Wire wire, const Device& device) {
   double longest = 0;
   DeviceWork before;
   for (const DeviceWork& done : trial.slices) {
@@ -27,16 +27,16 @@ double rows_a_second_at_worst(const Trial& trial, Wire wire, const Device& devic
   return static_cast<double>(trial.slices.front().rows) / longest;
 }
 
-std::string rows_text(double rows_a_second) {
+std::string rows_text(double rows_per_second) {
   // Rounds to the digits that the estimate supports.
-  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(rows_a_second)) - 1));
-  return grouped(static_cast<std::uint64_t>(std::round(rows_a_second / unit) * unit));
+  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(rows_per_second)) - 1));
+  return grouped(static_cast<std::uint64_t>(std::round(rows_per_second / unit) * unit));
 }
 
 }  // namespace
 
 double seconds_on_link(const Trial& trial, const Device& device) {
-  return static_cast<double>(trial.stream_bytes()) * bits_a_byte / device.baud;
+  return static_cast<double>(trial.stream_bytes()) * bits_per_byte / device.baud;
 }
 
 std::string seconds_text(double seconds) {
@@ -67,7 +67,7 @@ void print_trials(const std::vector<TriedRow>& rows, Wire wire, const Device& de
         << seconds_text(seconds_on_link(trial, device)) << " s" << std::setw(8)
         << seconds_text(work) << " s" << std::setw(9)
         << rows_text(static_cast<double>(trial.work.rows) / scan) << std::setw(10)
-        << rows_text(rows_a_second_at_worst(trial, wire, device)) << '\n';
+        << rows_text(rows_per_second_at_worst(trial, wire, device)) << '\n';
   }
 }
 

@@ -134,8 +134,8 @@ std::string ArrayLayout::order() const {
   return letters;
 }
 
-ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
-                       const VolumeOptions& options) {
+ArrayLayout find_volume_axes(VolumeInfo& info, const std::filesystem::path& file,
+                             const ArrayShape& shape, const VolumeOptions& options) {
   const std::string& named = options.axes.empty() ? shape.letters : options.axes;
   const StoredArray array = stored_array(info, file, shape, named);
   const std::int64_t frames = product_along('t', array);
@@ -180,9 +180,9 @@ char axis_letter(std::string_view name) {
   return '?';
 }
 
-void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
-                      const std::string& name, std::vector<double> coordinates,
-                      std::uint64_t voxels, const VolumeOptions& options) {
+void set_place_from_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
+                                const std::string& name, std::vector<double> coordinates,
+                                std::uint64_t voxels, const VolumeOptions& options) {
   if (coordinates.size() == voxels + 1) {
     for (std::size_t i = 0; i < voxels; ++i)
       coordinates[i] = (coordinates[i] + coordinates[i + 1]) / 2;

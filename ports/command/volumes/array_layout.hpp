@@ -44,8 +44,8 @@ struct ArrayLayout {
 /// letters, or three. Without letters, the three fastest axes are z, y and x, and other axes count
 /// volumes. Throws like set_dims(), if the letters do not fit the axes, and if none of several
 /// channels is chosen.
-ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
-                       const VolumeOptions& options);
+ArrayLayout find_volume_axes(VolumeInfo& info, const std::filesystem::path& file,
+                             const ArrayShape& shape, const VolumeOptions& options);
 
 /// Returns the letter of an axis by a common name, such as "lon" or "depth"; '?' for other names.
 char axis_letter(std::string_view name);
@@ -53,9 +53,9 @@ char axis_letter(std::string_view name);
 /// Converts the coordinates of voxels along an axis to spacing and origin. One coordinate more than
 /// there are voxels means borders of voxels; any other number is ignored. Throws if the coordinates
 /// are uneven, unless the user gives a spacing. name: of the axis, for people.
-void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
-                      const std::string& name, std::vector<double> coordinates,
-                      std::uint64_t voxels, const VolumeOptions& options);
+void set_place_from_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
+                                const std::string& name, std::vector<double> coordinates,
+                                std::uint64_t voxels, const VolumeOptions& options);
 
 /// Reads the volume of an array; the next byte of the stream is its first sample. Memory: the
 /// slices of all channels, or the volume if z is not its slowest axis.

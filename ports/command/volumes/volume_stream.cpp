@@ -87,7 +87,7 @@ std::string_view ByteStream::peek(std::size_t count) {
   return std::string_view(ahead_).substr(0, count);
 }
 
-std::size_t ByteStream::take_ahead(void* bytes, std::size_t count) {
+std::size_t ByteStream::read_ahead(void* bytes, std::size_t count) {
   const std::size_t taken = std::min(count, ahead());
   if (bytes != nullptr) std::memcpy(bytes, ahead_.data() + ahead_begin_, taken);
   ahead_begin_ += taken;
@@ -100,7 +100,7 @@ std::size_t ByteStream::take_ahead(void* bytes, std::size_t count) {
 }
 
 std::size_t ByteStream::read(void* bytes, std::size_t count) {
-  const std::size_t taken = take_ahead(bytes, count);
+  const std::size_t taken = read_ahead(bytes, count);
   if (taken == count) return count;
   const std::size_t got = source_->read(static_cast<char*>(bytes) + taken, count - taken);
   position_ += got;
@@ -124,14 +124,14 @@ std::optional<std::string> ByteStream::read_line() {
   }
   if (seen == 0) return std::nullopt;
   std::string line(std::min(end, ahead_.size()) - ahead_begin_, '\0');
-  take_ahead(line.data(), line.size());
-  take_ahead(nullptr, 1);
+  read_ahead(line.data(), line.size());
+  read_ahead(nullptr, 1);
   if (!line.empty() && line.back() == '\r') line.pop_back();
   return line;
 }
 
 std::uint64_t ByteStream::drop(std::uint64_t count) {
-  const std::size_t taken = take_ahead(nullptr, std::min<std::uint64_t>(count, ahead()));
+  const std::size_t taken = read_ahead(nullptr, std::min<std::uint64_t>(count, ahead()));
   const std::uint64_t skipped = source_->skip(count - taken);
   position_ += skipped;
   return taken + skipped;
@@ -151,7 +151,7 @@ void ByteStream::skip_lines(std::uint64_t count) {
     char byte = 0;
     do {
       if (ahead() == 0) peek(4096);
-      if (take_ahead(&byte, 1) == 0)
+      if (read_ahead(&byte, 1) == 0)
         fail(file_,
              "of " + std::to_string(count) + " lines to skip only " + std::to_string(line) +
                  " exist",

@@ -74,7 +74,7 @@ class ByteStream {
  private:
   class Rest;
 
-  std::size_t take_ahead(void* bytes, std::size_t count);
+  std::size_t read_ahead(void* bytes, std::size_t count);
   std::size_t ahead() const { return ahead_.size() - ahead_begin_; }
 
   std::filesystem::path file_;

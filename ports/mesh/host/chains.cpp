@@ -116,8 +116,10 @@ bool Chains::grow_queues(Slots& slots) {
     const uint32_t seats = end_seat_[queue] - first_seat_[queue];
     const uint32_t free = free_seats(queue);
     const uint32_t needed = is_at_seam(queue) ? max_across : Edges::max_edges;
-    const bool is_short_move = free < seats / 4 * 3 && back(queue) - front(queue) <= seats / 16;
-    if (free < needed || is_short_move) grow_queue(slots, queue);
+    // Few nodes wait, and over a quarter of the seats is used up. They move now, so that a later
+    // batch has room.
+    const bool is_cheap_move = free < seats / 4 * 3 && back(queue) - front(queue) <= seats / 16;
+    if (free < needed || is_cheap_move) grow_queue(slots, queue);
   });
   find_min_free_seats();
   return has_free_seats();
@@ -147,9 +149,9 @@ void Chains::grow_queue(Slots& slots, uint32_t queue) {
   uint32_t first = old_first;
   if (waiting > old_slots * seats_per_slot / 2) {
     // Beyond the first eight gigabytes the number of a seat would have the bit that marks tails.
-    const bool may_take = slots.available() >= reserve() + 2 * old_slots &&
-                          slots.peak() + 2 * old_slots < Node::waiting_tail / seats_per_slot;
-    const Area area = may_take ? new_area(slots, 2 * old_slots) : Area{};
+    const bool has_slots = slots.available() >= reserve() + 2 * old_slots &&
+                           slots.peak() + 2 * old_slots < Node::waiting_tail / seats_per_slot;
+    const Area area = has_slots ? new_area(slots, 2 * old_slots) : Area{};
     if (area.slots == 0) return;
     first_seat_[queue] = first = area.first * seats_per_slot;
     end_seat_[queue] = first + area.slots * seats_per_slot;

@@ -45,8 +45,8 @@ struct Node {
   }
   uint64_t corner_behind() const { return plane() + queue_traits.centroid[out_of(pass)]; }
 
-  /// Writes none to two corners, by the same instructions in all cases. Returns a pointer behind
-  /// the last one. Limit: there is room for two.
+  /// Writes zero to two corners, without branches. Returns a pointer behind the last one. Limit:
+  /// there is room for two.
   DISCMC_ALWAYS_INLINE uint64_t* append_corners(uint64_t* corners) const {
     corners[0] = corner();
     corners += turns() ? 1 : 0;

@@ -42,7 +42,8 @@ class OneRingRegion {
   Vertex moved_by_{};
 };
 
-/// Calls send(event) for the events of a region, until one is false. Returns the number sent.
+/// Calls send(event) for the events of a region, until a call returns false. Returns the number of
+/// accepted events.
 template <class Send>
 uint32_t send_events(const OneRingRegion& region, Send send) {
   Event event{};
@@ -53,12 +54,12 @@ uint32_t send_events(const OneRingRegion& region, Send send) {
     event.kind = kind;
     return send(event) && ++sent > 0;
   };
-  bool is_taken = send_kind(Event::Kind::region) && send_kind(Event::Kind::ring);
-  for (uint32_t i = 0; is_taken && i < region.corner_count(); ++i) {
+  bool is_accepted = send_kind(Event::Kind::region) && send_kind(Event::Kind::ring);
+  for (uint32_t i = 0; is_accepted && i < region.corner_count(); ++i) {
     event.run = region.run(i);
-    is_taken = send_kind(Event::Kind::run);
+    is_accepted = send_kind(Event::Kind::run);
   }
-  if (is_taken) send_kind(Event::Kind::region_end);
+  if (is_accepted) send_kind(Event::Kind::region_end);
   return sent;
 }
 

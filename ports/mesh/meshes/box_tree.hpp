@@ -198,18 +198,20 @@ class BoxTree {
       if (is_wanted(places_[slot])) wanted_[slot / 4] |= static_cast<std::uint8_t>(1U << slot % 4);
   }
   /// Returns the number of parts of the search for near pairs.
-  std::size_t part_count() const { return (wanted_.size() + leaves_a_part - 1) / leaves_a_part; }
+  std::size_t part_count() const {
+    return (wanted_.size() + leaves_per_part - 1) / leaves_per_part;
+  }
   /// Calls `call` with the indexes of two overlapping boxes. All parts together report each pair
   /// once.
   template <class Call>
   void for_each_near_pair(std::size_t part, Call call) const {
-    const std::size_t end = leaves_ + std::min((part + 1) * leaves_a_part, wanted_.size());
-    for (std::size_t leaf = leaves_ + part * leaves_a_part; leaf < end; leaf += 4)
+    const std::size_t end = leaves_ + std::min((part + 1) * leaves_per_part, wanted_.size());
+    for (std::size_t leaf = leaves_ + part * leaves_per_part; leaf < end; leaf += 4)
       for_each_pair_with(leaf, std::min(leaf + 4, end), call);
   }
 
  private:
-  static constexpr std::size_t leaves_a_part = 4096;
+  static constexpr std::size_t leaves_per_part = 4096;
   static constexpr std::size_t max_waiting = 64;  // three on each of 16 levels, plus four
 
   static std::size_t child(std::size_t node, std::size_t i) { return 4 * node + 1 + i; }

@@ -28,8 +28,8 @@ constexpr unsigned max_rounds = 25;
 struct Piece {
   struct Edge {
     Place place;
-    float sign;           // 1 if its edge begins on, -1 if it ends on
-    std::uint32_t rival;  // the piece on the other side of the edge, or no_piece
+    float sign;               // 1 if its edge begins on, -1 if it ends on
+    std::uint32_t neighbour;  // the piece on the other side of the edge, or no_piece
     Ends ends;
   };
   // A vertex of the surface's mesh.
@@ -49,10 +49,10 @@ struct Piece {
   std::vector<Triangle> faces{};
 };
 
-// The wall between a piece and a rival, through which they exchange volume. rival: no_piece if
-// there is none.
+// The wall between a piece and a neighbour, through which they exchange volume. neighbour: no_piece
+// if there is none.
 struct Wall {
-  std::uint32_t rival;
+  std::uint32_t neighbour;
   double area_mm2;  // change of volume per difference of shifts
 };
 
@@ -129,16 +129,16 @@ class VolumeKeeper {
     const Parts& parts = of_surface_[number];
     for (std::uint32_t polygon = 0; polygon < parts.of_polygon.size(); ++polygon)
       for_each_place(number, polygon, [&](Place place, const Vertex& middle) {
-        std::uint32_t rival = no_piece;
+        std::uint32_t neighbour = no_piece;
         const std::size_t other = surface_beyond(number, middle, place);
         if (other != VolumeKeeping::none) {
           const auto there = surfaces_[other].crossings->find(middle);
-          rival = of_surface_[other].of_crossing[there->axis][there->number];
+          neighbour = of_surface_[other].of_crossing[there->axis][there->number];
           if (number < other)
             share(crossings.ends(place), surfaces_[other].crossings->ends(*there));
         }
         pieces_[parts.of_polygon[polygon]].edges.push_back(
-            {place, crossings.falls(place) ? 1.0F : -1.0F, rival, crossings.ends(place)});
+            {place, crossings.falls(place) ? 1.0F : -1.0F, neighbour, crossings.ends(place)});
       });
   }
 
@@ -160,8 +160,8 @@ class VolumeKeeper {
   // Returns a crossing, like Crossings::at(), with the current shifts.
   float at(const Piece& piece, const Piece::Edge& edge) const {
     const auto least = static_cast<float>(keeping_.min_distance_mm);
-    const double rival = edge.rival == no_piece ? 0 : pieces_[edge.rival].shift_mm;
-    const auto shift = static_cast<float>(piece.shift_mm - rival);
+    const double of_neighbour = edge.neighbour == no_piece ? 0 : pieces_[edge.neighbour].shift_mm;
+    const auto shift = static_cast<float>(piece.shift_mm - of_neighbour);
     // Avoids branches on the direction of an edge, which are mispredicted.
     return Crossings::zero_between({std::max(edge.sign * (edge.ends.begin + shift), least),
                                     std::min(edge.sign * (edge.ends.end + shift), -least)});
@@ -308,7 +308,7 @@ class VolumeKeeper {
     Sets touching(pieces_.size());
     for (std::uint32_t i = 0; i < pieces_.size(); ++i)
       for (const Piece::Edge& edge : pieces_[i].edges)
-        if (edge.rival != no_piece) touching.join(i, edge.rival);
+        if (edge.neighbour != no_piece) touching.join(i, edge.neighbour);
     const std::vector<double> before = shifts();
     set_shifts(std::vector<double>(pieces_.size(), keeping_.max_shift_mm / 2));
     const std::vector<double> excess = excess_mm3();
@@ -344,7 +344,7 @@ class VolumeKeeper {
     return wanted;
   }
 
-  // One piece gains what its rival loses, so each moves half of the way at a time.
+  // One piece gains what its neighbour loses, so each moves half of the way at a time.
   void alternate() {
     for (unsigned round = 0; round < max_rounds; ++round) {
       const std::vector<double> before = shifts(), wanted = wanted_shifts();
@@ -354,8 +354,8 @@ class VolumeKeeper {
     }
   }
 
-  // One piece gains what its rivals lose. These are linear equations, solved by the Gauss-Seidel
-  // method, which also ends if they have no solution.
+  // One piece gains what its neighbours lose. These are linear equations, solved by the
+  // Gauss-Seidel method, which also ends if they have no solution.
   std::vector<double> moves_against(const std::vector<double>& excess) const {
     constexpr unsigned sweeps = 200;
     std::vector<std::vector<Wall>> walls;
@@ -367,7 +367,7 @@ class VolumeKeeper {
         double area = 0, sum = -excess[i];
         for (const Wall& wall : walls[i]) {
           area += wall.area_mm2;
-          if (wall.rival != no_piece) sum += wall.area_mm2 * moves[wall.rival];
+          if (wall.neighbour != no_piece) sum += wall.area_mm2 * moves[wall.neighbour];
         }
         if (area > 0) moves[i] = sum / area;
       }
@@ -378,28 +378,28 @@ class VolumeKeeper {
   std::vector<Wall> walls_of(const Piece& piece, std::vector<std::uint32_t>& places) const {
     std::vector<Wall> walls = {{no_piece, 0}};
     for (const Piece::Edge& edge : piece.edges) {
-      if (edge.rival == no_piece) {
+      if (edge.neighbour == no_piece) {
         walls[0].area_mm2 += area_mm2(piece, edge);
         continue;
       }
-      std::uint32_t& place = places[edge.rival];
+      std::uint32_t& place = places[edge.neighbour];
       if (place == no_piece) {
         place = static_cast<std::uint32_t>(walls.size());
-        walls.push_back({edge.rival, 0});
+        walls.push_back({edge.neighbour, 0});
       }
       walls[place].area_mm2 += area_mm2(piece, edge);
     }
-    for (std::size_t i = 1; i < walls.size(); ++i) places[walls[i].rival] = no_piece;
+    for (std::size_t i = 1; i < walls.size(); ++i) places[walls[i].neighbour] = no_piece;
     return walls;
   }
 
   // Returns the wall's area that an edge represents: a voxel's face times the cosine between the
-  // edge and the normal. The slope of the distance is that cosine. Between rivals it is twice as
-  // steep, and moves half as far.
+  // edge and the normal. The slope of the distance is that cosine. Between neighbours it is twice
+  // as steep, and moves half as far.
   double area_mm2(const Piece& piece, const Piece::Edge& edge) const {
-    const bool has_rival = edge.rival != no_piece;
+    const bool has_neighbour = edge.neighbour != no_piece;
     const auto shift =
-        static_cast<float>(piece.shift_mm - (has_rival ? pieces_[edge.rival].shift_mm : 0));
+        static_cast<float>(piece.shift_mm - (has_neighbour ? pieces_[edge.neighbour].shift_mm : 0));
     const Ends ends = edge.ends;
     const auto least = static_cast<float>(keeping_.min_distance_mm);
     const float at_on = edge.sign > 0 ? ends.begin : ends.end;
@@ -408,7 +408,7 @@ class VolumeKeeper {
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
     const double along = spacing[edge.place.axis];
     return std::fabs(spacing[0] * spacing[1] * spacing[2]) / (along * along) *
-           std::fabs(static_cast<double>(ends.begin - ends.end)) / (has_rival ? 4 : 1);
+           std::fabs(static_cast<double>(ends.begin - ends.end)) / (has_neighbour ? 4 : 1);
   }
 
   // Uses secants, halved if they lead too far. Returns the current shift if it is good enough.

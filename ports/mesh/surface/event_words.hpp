@@ -17,7 +17,7 @@ void append_words(const Event& event, std::vector<std::uint32_t>& words);
 /// Reads events back from words.
 class EventWords {
  public:
-  /// words: Owner: the caller, during the reading.
+  /// Owner: the caller, of the words, while events are read.
   explicit EventWords(const std::vector<std::uint32_t>& words) : words_(words) {}
 
   /// Reads the next event. Returns false if there is none.

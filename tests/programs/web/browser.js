@@ -80,7 +80,7 @@ export const shownPolygons = async (page) =>
   inOrder(readFileSync((await saved(page, 'jsonl')).path, 'utf8'));
 
 /** Waits until the text about a stream begins with these words. */
-export const streamTells = (page, words) => page.waitForFunction((wanted) =>
+export const streamShows = (page, words) => page.waitForFunction((wanted) =>
   document.querySelector('#stream-text').textContent.startsWith(wanted), words);
 
 /** Waits until a surface is shown. */

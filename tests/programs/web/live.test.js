@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
 import { checkAccess, now, openFiles, openPage, pixelsOf, rested, saved, shownPolygons, startBrowser,
-  streamTells } from './browser.js';
+  streamShows } from './browser.js';
 import { command, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -34,12 +34,12 @@ test('a stream is replayed at the pace of its link, and is the same in the end',
   const all = await count(page);
   await page.selectOption('#replay-baud', '115200');
   await page.click('#replay');
-  await streamTells(page, 'Arriving');
+  await streamShows(page, 'Arriving');
   const early = await count(page);
   assert.ok(early < all, `${early} of ${all} polygons at the beginning`);
   const seconds = (readFileSync(stream).length * 10) / 115200;
   const begin = Date.now();
-  await streamTells(page, 'Complete');
+  await streamShows(page, 'Complete');
   assert.ok(Date.now() - begin > (seconds / 2) * 1000, 'as slow as the link');
   assert.equal(await shownPolygons(page), expected);
   await page.check('#measure');
@@ -59,10 +59,10 @@ test('a stream with fractions is interpolated while it arrives; other shapes can
   const all = await caption();
   await page.selectOption('#replay-baud', '9600');
   await page.click('#replay');
-  await streamTells(page, 'Arriving');
+  await streamShows(page, 'Arriving');
   assert.match(await caption(), /triangles, interpolated$/);
   assert.notEqual(await caption(), all);
-  await streamTells(page, 'Complete');
+  await streamShows(page, 'Complete');
   assert.equal(await caption(), all);
   for (const shape of ['interpolated', 'relaxed']) {
     await page.selectOption('#shape', shape);
@@ -97,7 +97,7 @@ test('lost packets are reported, and whole regions are shown', async () => {
   await page.selectOption('#replay-baud', '3000000');
   await page.selectOption('#replay-lost', '0.2');
   await page.click('#replay');
-  await streamTells(page, 'Incomplete');
+  await streamShows(page, 'Incomplete');
   assert.match(await page.textContent('#stream-text'), /\d+ packets? and \d+ regions or fragments lost/);
   const whole = new Set(expected.split('\n'));
   const shown = (await shownPolygons(page)).split('\n');
@@ -120,11 +120,11 @@ test('a replay can be stopped, and another file opened meanwhile', async () => {
   await openFiles(page, stream);
   await page.selectOption('#replay-baud', '9600');
   await page.click('#replay');
-  await streamTells(page, 'Arriving');
+  await streamShows(page, 'Arriving');
   await page.click('#stop');
-  await streamTells(page, 'Incomplete');
+  await streamShows(page, 'Incomplete');
   await page.click('#replay');
-  await streamTells(page, 'Arriving');
+  await streamShows(page, 'Arriving');
   await openFiles(page, volume);
   await page.waitForSelector('#threshold');
   assert.match(await page.textContent('#file-name'), /^ball.nrrd/);
@@ -148,14 +148,14 @@ const fakeSerial = (list) => {
   Object.defineProperty(navigator, 'serial', { value: { port, requestPort: async () => port } });
 };
 
-test('a device on a serial port: shown as it sends, kept, and saved', async () => {
+test('the stream of a serial port is shown, and saved unchanged', async () => {
   const { page, complaints } = await openPage(browser,
     { script: [fakeSerial, [...readFileSync(stream)]] });
   await page.click('#connect');
   await checkAccess(page);
   await page.fill('#serial-baud', '921600');
   await page.keyboard.press('Enter');
-  await streamTells(page, 'Complete');
+  await streamShows(page, 'Complete');
   assert.equal(await page.evaluate(() => navigator.serial.port.options.baudRate), 921600);
   assert.equal(await shownPolygons(page), expected);
   assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), readFileSync(stream));

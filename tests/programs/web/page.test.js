@@ -8,7 +8,7 @@ import { facing } from '../../../ports/web/page/facing.js';
 import { planesOf } from '../../../ports/web/page/light.js';
 import { nrrdOf, roughBall } from './ball.js';
 import { checkAccess, hasSurface, now, openFiles, openPage, pixelsOf, rested, saved, shown, shownPolygons,
-  startBrowser, streamTells } from './browser.js';
+  startBrowser, streamShows } from './browser.js';
 import { command, inOrder, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -115,7 +115,7 @@ test('wrong, damaged and huge files are refused, and the page continues', async 
   await openFiles(page, damaged);
   assert.match(await page.textContent('#stream-text'), /^Incomplete: [1-9]\d* packets? and [1-9]\d* regions or fragments lost/);
   await openFiles(page, stream);
-  await streamTells(page, 'Complete');
+  await streamShows(page, 'Complete');
   assert.deepEqual(complaints, []);
   await page.context().close();
 });
@@ -135,7 +135,7 @@ test('a threshold given for a volume is dropped when a stream is opened meanwhil
     }, 5);
   });
   await page.setInputFiles('#files', stream);
-  await streamTells(page, 'Complete');
+  await streamShows(page, 'Complete');
   await page.waitForTimeout(600); // longer than updates that need not follow a slider at once
   await page.evaluate(() => clearInterval(globalThis.drag));
   assert.ok(await page.isHidden('#error'), await page.textContent('#error-text'));

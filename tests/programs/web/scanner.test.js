@@ -29,7 +29,7 @@ test('the page receives the stream of the firmware, byte by byte', async (t) => 
   assert.ok(sent.equals(Buffer.concat([mark, readFileSync(stream)])), `${sent.length} bytes came`);
 });
 
-test('with levels it gets slices with fractions', async (t) => {
+test('with --levels 4 the page receives slices with fractions', async (t) => {
   const sent = await sentBy(t, '--levels', '4');
   command('extract', '--quiet', volume, '--iso', '400', '--wire', 'slices', '--levels', '4', '--key-slices', '16',
     '-o', stream);

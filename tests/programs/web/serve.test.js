@@ -7,7 +7,7 @@ import { connect } from 'node:net';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { hasSurface, openPage, saved, shownPolygons, startBrowser, streamTells } from './browser.js';
+import { hasSurface, openPage, saved, shownPolygons, startBrowser, streamShows } from './browser.js';
 import { command, polygonsByCommand, served, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -39,7 +39,7 @@ test('a surface at a threshold and a stream file are served whole', async (t) =>
   for (const words of [[volume, '--iso', '400'], [stream]]) {
     const { address, end } = await served(t, ...words);
     const { page, complaints } = await openPage(browser, { address });
-    await streamTells(page, 'Complete');
+    await streamShows(page, 'Complete');
     assert.equal(await shownPolygons(page), expected);
     assert.deepEqual(complaints, []);
     await page.context().close();
@@ -61,14 +61,14 @@ test('a stream on standard input is shown as it arrives; later clients get all o
   const { address, input, end } = await served(t, '-');
   input.write(bytes.subarray(0, half));
   const first = await openPage(browser, { address });
-  await streamTells(first.page, 'Arriving');
+  await streamShows(first.page, 'Arriving');
   const early = Number((await first.page.textContent('#polygons')).replace(',', ''));
   assert.ok(early > 0 && early < expected.split('\n').length, `${early} polygons of the first half`);
   const later = await openPage(browser, { address });
-  await streamTells(later.page, 'Arriving');
+  await streamShows(later.page, 'Arriving');
   input.end(bytes.subarray(half));
   for (const { page, complaints } of [first, later]) {
-    await streamTells(page, 'Complete');
+    await streamShows(page, 'Complete');
     assert.equal(await shownPolygons(page), expected);
     assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), bytes);
     assert.deepEqual(complaints, []);
@@ -84,10 +84,10 @@ test('a named pipe is served once it has a writer, and a truncated stream is rep
   const { page } = await openPage(browser, { address });
   assert.equal(await page.textContent('#busy'), 'Waiting for the stream…');
   createWriteStream(pipe).write(bytes.subarray(0, half));
-  await streamTells(page, 'Arriving');
+  await streamShows(page, 'Arriving');
   assert.ok(await page.isHidden('#busy'));
   assert.equal(await end(), 0, 'while the page listens');
-  await streamTells(page, 'Incomplete');
+  await streamShows(page, 'Incomplete');
   await page.context().close();
 });
 

@@ -78,7 +78,7 @@ async function coloursOf(page) {
 
 const small = { width: 800, height: 400 };
 
-test('labels, each in its colour and with its name; smooth first, flat by a click', async () => {
+test('labels have their colours and names; they are smooth first, and flat after a click', async () => {
   command('view', labels, '--labels', 'all', '-o', path, '--no-open');
   const { page, complaints } = await openPage(browser, { path, viewport: small });
   assert.equal(await page.textContent('#file-name'), 'labels.nrrd · 18 × 10 × 10 mm');

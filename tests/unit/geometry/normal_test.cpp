@@ -92,7 +92,9 @@ TEST_CASE("a vector of length zero has no normal") {
   CHECK(unit_normal(OctahedralNormal{0, 0}) == UnitNormal{0, 0, 0});
 }
 
-TEST_CASE("an octahedral normal deviates at most 0.96 degrees, and half of them 0.33") {
+TEST_CASE(
+    "an octahedral normal deviates by less than 0.96 degrees, and by less than 0.33 in the "
+    "median") {
   Chance chance(3);
   std::vector<double> angles;
   for (int i = 0; i < 300000; ++i) {

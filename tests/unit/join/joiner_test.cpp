@@ -934,7 +934,7 @@ TEST_CASE("coordinates wrap for any start and length of fragments") {
   }
 }
 
-TEST_CASE("events in an order outside the grammar do no harm") {
+TEST_CASE("events in an order outside the grammar terminate and stay within the memory") {
   Chance chance(14);
   for (int round = 0; round < 300; ++round) {
     const Surface& surface = surfaces()[static_cast<size_t>(round) % surfaces().size()];

@@ -229,7 +229,7 @@ TEST_CASE("a code without an end, or with bytes after its end, is refused at tha
   CHECK(longer.damaged_packets == 1);
 }
 
-TEST_CASE("a truncated code is detected soon") {
+TEST_CASE("a truncated code counts as one damaged packet and yields fewer than 50 rows") {
   const Bytes dotted = Code().row(Bytes(5, 0x55)).end();
   for (size_t bytes = 0; bytes + 1 < dotted.size(); ++bytes) {
     const Bytes part(dotted.begin(), dotted.begin() + static_cast<std::ptrdiff_t>(bytes));

@@ -201,7 +201,7 @@ TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
       }
 }
 
-TEST_CASE("each ring on a plane gets its own holes from many") {
+TEST_CASE("among many holes on a plane, each is assigned to its own ring") {
   // A plate with holes, islands in the holes, and holes in the islands. Slots cross it at an angle,
   // with thin islands in them. Two of its sides have teeth.
   BitVolume plate({61, 47, 3});

@@ -64,7 +64,7 @@ std::unique_ptr<VolumeReader> open_cube(ByteStream stream, const VolumeOptions& 
     place.origin[axis] = atoms.vector[axis] * angstrom;
   }
   note(info, "lengths are converted to angstrom; 1 angstrom is written as 1 mm");
-  const ArrayLayout layout = take_array(info, file, shape, options);
+  const ArrayLayout layout = find_volume_axes(info, file, shape, options);
   set_place(info, place, options);
   stream.decode([](auto in) { return samples_of_text(std::move(in), SampleType::f32); });
   return array_volume(std::move(info), std::move(stream), layout, is_native_big_endian());

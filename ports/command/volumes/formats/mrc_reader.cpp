@@ -179,7 +179,7 @@ std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& o
   const Storage storage = storage_of(info, file, header);
   info.type = storage.type;
   const auto axes = axes_of(info, file, header);
-  const ArrayLayout layout = take_array(info, file, shape_of(file, header, axes), options);
+  const ArrayLayout layout = find_volume_axes(info, file, shape_of(file, header, axes), options);
   set_place(info, place_of(info, header, axes), options);
   const auto extended = header.number<std::int32_t>(extended_bytes_at);
   if (extended < 0)

@@ -252,8 +252,8 @@ void place_grid(DeclaredPlace& place, const std::filesystem::path& file, const H
   place.directions = coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t count = info.dims[axis] + (head.is_of_cells() ? 1 : 0);
-    take_coordinates(place, axis, file, std::string(1, "xyz"[axis]),
-                     coordinates_of(file, axis, count), info.dims[axis], options);
+    set_place_from_coordinates(place, axis, file, std::string(1, "xyz"[axis]),
+                               coordinates_of(file, axis, count), info.dims[axis], options);
   }
 }
 

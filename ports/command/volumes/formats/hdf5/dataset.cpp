@@ -129,8 +129,8 @@ Hdf5Handle cache_of(const Hdf5Handle& dataset, const Hdf5Region& region) {
   constexpr std::uint64_t max_chunks = std::uint64_t{1} << 20;
   if (chunks > max_chunks) return access;
   const std::uint64_t bytes = chunks * product(chunk) * H5Tget_size(type_of(dataset).id());
-  constexpr std::size_t slots_a_chunk = 10;  // keeps collisions of chunks rare
-  H5Pset_chunk_cache(access.id(), slots_a_chunk * chunks + 1, bytes, 1.0);
+  constexpr std::size_t slots_per_chunk = 10;  // keeps collisions of chunks rare
+  H5Pset_chunk_cache(access.id(), slots_per_chunk * chunks + 1, bytes, 1.0);
   return access;
 }
 

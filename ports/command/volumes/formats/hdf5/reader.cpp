@@ -294,7 +294,7 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
     const bool are_two = coordinates.size() == 2;
     while (are_two && coordinates.size() < voxels)
       coordinates.push_back(2 * coordinates.back() - coordinates[coordinates.size() - 2]);
-    take_coordinates(place, i, name, axis.name, std::move(coordinates), voxels, options);
+    set_place_from_coordinates(place, i, name, axis.name, std::move(coordinates), voxels, options);
   }
   return place;
 }
@@ -349,7 +349,7 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   if (letters.empty()) letters = vtk_letters(file, dataset.description());
   if (letters.empty() && is_of_chimera(dataset.description().path)) letters = "zyx";
   const ArrayLayout layout =
-      take_array(info, name, {dataset.description().sizes, letters}, options);
+      find_volume_axes(info, name, {dataset.description().sizes, letters}, options);
   if (!text_of(dataset.handle(), "MATLAB_class").empty() && options.axes.empty())
     note(info, "an array of MATLAB: its first index is read as x; if it is y, give --axes zxy");
   if (!dataset.is_virtual()) require_possible(dataset.file(), "a slice", info.slice_bytes());

@@ -27,7 +27,7 @@ std::unique_ptr<VolumeReader> numpy_volume(ByteStream stream, const std::string&
   VolumeInfo info;
   info.format = format;
   info.type = type->type;
-  const ArrayLayout layout = take_array(info, file, header.shape, options);
+  const ArrayLayout layout = find_volume_axes(info, file, header.shape, options);
   set_place(info, {}, options);
   bool is_big_endian = type->is_big_endian;
   if (type->is_half) {

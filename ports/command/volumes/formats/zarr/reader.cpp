@@ -152,8 +152,8 @@ DeclaredPlace place_of(const ZarrImage& image, const std::filesystem::path& fold
       place.spacing[i] = axis.scale;
       place.origin[i] = axis.origin;
     }
-    take_coordinates(place, i, folder, axis.name, axis.coordinates, layout.sizes[*layout.axes[i]],
-                     options);
+    set_place_from_coordinates(place, i, folder, axis.name, axis.coordinates,
+                               layout.sizes[*layout.axes[i]], options);
     place.axis_units[i] = place.space_units[i] = axis.unit;
   }
   return place;
@@ -183,7 +183,7 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
                    without_control((folder / "labels").string()));
   if (!image.level.empty()) info.format += ", " + image.level;
   const ArrayShape shape{image.array.sizes, letters_of(image), image.channels};
-  const ArrayLayout layout = take_array(info, folder, shape, options);
+  const ArrayLayout layout = find_volume_axes(info, folder, shape, options);
   set_place(info, place_of(image, folder, layout, options), options);
   require_few_chunks(folder, info, image.array.chunk, layout);
   require_possible(image.array.folder, info);
