@@ -324,7 +324,7 @@ TEST_CASE_FIXTURE(Folder, "time slots of nuclear medicine are volumes") {
         as_read(numbered_values(1)));
 }
 
-TEST_CASE("the advice of the list leads to a mesh") {
+TEST_CASE("commands that the list of volumes advises succeed") {
   const command_tests::Workshop workshop;
   const Volumes volumes(2, [](Dataset& data, int number, int) {
     data.text(kernel, "SH", number == 0 ? "B30" : "B70");

@@ -1,5 +1,5 @@
 // The joiner: cut regions are joined, in any order and memory, for any refusals of the sink.
-// Invalid events do no harm.
+// Invalid events end safely.
 #include "oracle/join.hpp"
 #include "oracle/loose.hpp"
 #include "oracle/merge.hpp"
