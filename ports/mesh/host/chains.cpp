@@ -38,10 +38,14 @@ bool Chains::start(Slots& slots) {
   return true;
 }
 
-// Returns consecutive slots, or none.
+// Returns consecutive slots, or none. Writes them, because a checkpoint contains all used slots.
 Chains::Area Chains::new_area(Slots& slots, uint32_t count) {
   const uint32_t slot = slots.allocate_fresh(count);
-  return slot == no_slot ? Area{} : Area{slot - 1, count};
+  if (slot == no_slot) return {};
+  const uint32_t first = slot - 1;
+  uint32_t* const words = seats(slots) + size_t{first} * seats_per_slot;
+  for (size_t i = 0; i < size_t{count} * seats_per_slot; ++i) words[i] = 0;
+  return {first, count};
 }
 
 void Chains::release(Slots& slots, const Area& area) {
