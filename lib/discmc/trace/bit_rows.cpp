@@ -15,9 +15,10 @@ static_assert(bit_row_bytes(Limits::max_extent, swept_rows(Limits::max_extent)) 
 // The number of bits that can be placed at once, in two words at most.
 constexpr uint32_t max_placed = 28;
 
+// Returns eight bytes, the first in the lowest bits. Limit: is_little_endian.
 uint64_t eight_bytes(const uint8_t* bytes) {
-  uint64_t word = 0;
-  for (uint32_t i = 0; i < 8; ++i) word |= uint64_t{bytes[i]} << (8 * i);
+  uint64_t word;
+  copy_bytes(&word, bytes, sizeof word);
   return word;
 }
 
@@ -101,7 +102,7 @@ template void BitRows::append(const uint16_t*, uint32_t, uint32_t, int32_t);
 template void BitRows::append(const int16_t*, uint32_t, uint32_t, int32_t);
 
 void BitRows::append_bits(const uint8_t* bits) {
-  if (is_host && width_ > 56) return set_words(bits);
+  if (is_host && is_little_endian && width_ > 56) return set_words(bits);
   uint32_t* const words = arriving();
   for (; column_ < width_; column_ += 8) {
     const uint32_t left = width_ - column_;
@@ -112,7 +113,8 @@ void BitRows::append_bits(const uint8_t* bits) {
   column_ = width_;
 }
 
-// Sets a whole word at once from the eight bytes around its bits. Limit: width > 56.
+// Sets a whole word at once from the eight bytes around its bits. Limit: width > 56, and
+// is_little_endian.
 void BitRows::set_words(const uint8_t* bits) {
   uint32_t* const words = row_before(0);
   const uint32_t last_byte = (width_ + 7) / 8 - 8;
