@@ -225,17 +225,22 @@ std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::pa
           ", such as " + shown(pictures[0].filename().string()) + "; to read them, " + remedy};
 }
 
-// Whether a header among the files names this file: a.hdr its a.img, a.pvti its pieces.
-bool is_named_in_another(const std::filesystem::path& file,
-                         const std::vector<std::filesystem::path>& files) {
+// Leaves out volumes that a header names as its parts: a.hdr its a.img, a.pvti its pieces. files:
+// all, in order.
+void leave_out_parts(std::vector<std::filesystem::path>& volumes,
+                     const std::vector<std::filesystem::path>& files) {
   constexpr std::size_t max_bytes = 1 << 20;
-  const std::string extension = file.extension().string();
-  const std::string quoted = file.filename().string() + '"';
-  return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& other) {
-    if (extension == ".img") return other == std::filesystem::path(file).replace_extension(".hdr");
-    return extension == ".vti" && other.extension() == ".pvti" &&
-           ByteStream(other).peek(max_bytes).find(quoted) != std::string_view::npos;
-  });
+  std::string lists;  // of pieces
+  for (const auto& file : files)
+    if (file.extension() == ".pvti") lists.append(ByteStream(file).peek(max_bytes)).append("\n");
+  const auto is_part = [&](const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    if (extension == ".img")
+      return std::binary_search(files.begin(), files.end(),
+                                std::filesystem::path(file).replace_extension(".hdr"));
+    return extension == ".vti" && lists.find(file.filename().string() + '"') != std::string::npos;
+  };
+  volumes.erase(std::remove_if(volumes.begin(), volumes.end(), is_part), volumes.end());
 }
 
 // Opens the only volume in subfolders of a folder, or lists all.
@@ -248,8 +253,7 @@ std::unique_ptr<VolumeReader> open_inner(const std::filesystem::path& folder,
     if (format != nullptr && is_read(*format) && format->name != "zip" && !is_picture_name(file))
       volumes.push_back(file);
   }
-  const auto is_part = [&files](const auto& file) { return is_named_in_another(file, files); };
-  volumes.erase(std::remove_if(volumes.begin(), volumes.end(), is_part), volumes.end());
+  leave_out_parts(volumes, files);
   if (volumes.size() == 1) return open_by_kind(volumes[0], options);
   if (volumes.size() > 1)
     fail(folder, "several volumes in folders: " + list_of(volumes), "name one file");
