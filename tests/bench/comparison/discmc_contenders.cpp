@@ -6,6 +6,7 @@
 #include "discmc/mesh.hpp"
 #include "extraction/selection.hpp"
 #include "host/host_scan.hpp"
+#include "surface/array.hpp"
 
 namespace discmc::bench {
 
@@ -92,7 +93,9 @@ class Polygons {
   SinkResult accept_region(const OneRingRegion& region) {
     regions_.push_back({region.incidence(), rings_.size()});
     rings_.push_back({false, corners_.size()});
-    for (uint32_t i = 0; i < region.corner_count(); ++i) corners_.push_back(region.corner(i));
+    const size_t first = corners_.size();
+    corners_.resize(first + region.corner_count());
+    for (uint32_t i = 0; i < region.corner_count(); ++i) corners_[first + i] = region.corner(i);
     return SinkResult::accepted;
   }
 
@@ -117,9 +120,9 @@ class Polygons {
     at_ = at_ + Vertex{step.x * length, step.y * length, step.z * length};
   }
 
-  std::vector<Region> regions_;
-  std::vector<Ring> rings_;
-  std::vector<Vertex> corners_;
+  meshing::Array<Region> regions_;
+  meshing::Array<Ring> rings_;
+  meshing::Array<Vertex> corners_;
   Vertex at_{};
   Direction direction_ = none;
 };
