@@ -116,7 +116,7 @@ bool waits(discmc::Status status) {
   return refusals > 0;  // sleep here
 }
 
-void take_up_again() {
+void connect_again() {
   is_dropping = false;
   encoder.set_output(radio);
   printf("scan 1: no link for %u bytes\n", static_cast<unsigned>(encoder.bytes() - dropped_from));
@@ -168,7 +168,7 @@ bool scans(uint16_t number) {
   bool good = succeeds(encoder.start(config, discmc::memory_of(memory), radio)) && write_place();
   for (int32_t z = 0; good && z < size; ++z) {
     radio_works = number != 1 || z < 16 || z >= 28;
-    if (is_dropping && radio_works) take_up_again();
+    if (is_dropping && radio_works) connect_again();
     if (z % 8 == 0) good = write_time(z);  // rarely: each needs a packet
     for (int32_t y = 0; good && y < size; ++y) {
       uint8_t row[size];

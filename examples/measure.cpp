@@ -36,7 +36,7 @@ void make_row(bool is_ball, uint32_t number) {
   }
 }
 
-size_t take_all(void*, const uint8_t*, size_t count) {
+size_t accept_all(void*, const uint8_t*, size_t count) {
   return count;
 }
 
@@ -84,13 +84,13 @@ bool scan(Scanner& scanner, bool is_ball, Measured& measured) {
 }
 
 bool scan_regions(bool is_ball, Measured& measured) {
-  return encoder.start({depth}, {nullptr, take_all}) == Status::ok &&
+  return encoder.start({depth}, {nullptr, accept_all}) == Status::ok &&
          extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)) == Status::ok &&
          scan(extractor, is_ball, measured);
 }
 
 bool scan_slices(bool is_ball, Measured& measured) {
-  return slice_encoder.start({limits, {threshold}}, memory_of(memory), {nullptr, take_all}) ==
+  return slice_encoder.start({limits, {threshold}}, memory_of(memory), {nullptr, accept_all}) ==
              Status::ok &&
          scan(slice_encoder, is_ball, measured);
 }

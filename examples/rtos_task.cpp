@@ -68,7 +68,7 @@ static size_t uart_write(void*, const uint8_t* bytes, size_t count) {
   return count;
 }
 
-static bool take(const Row& row, uint32_t& next) {
+static bool scan_row(const Row& row, uint32_t& next) {
   for (; next < row.number; ++next)
     if (extractor.skip_row(Substitute::previous_row).status != Status::ok) return false;
   ++next;
@@ -84,7 +84,7 @@ static bool scan() {
   uint32_t next = 0;
   Row* row = nullptr;
   while (next < row_count && xQueueReceive(full_rows, &row, pdMS_TO_TICKS(1000)) == pdTRUE) {
-    if (!take(*row, next)) return false;
+    if (!scan_row(*row, next)) return false;
     xQueueSend(free_rows, &row, 0);
   }
   const bool is_whole = next == row_count;

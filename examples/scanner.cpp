@@ -72,7 +72,7 @@ bool start() {
                                   make_sink(encoder)));
 }
 
-bool take_row() {
+bool scan_row() {
   const auto* const samples = static_cast<const scan::Sample*>(ring.row());
   const Status status = extractor.push(samples, scan::limits.width).status;
   ring.pop();  // before waiting for the UART: the next row needs the room
@@ -86,10 +86,10 @@ bool skip_row() {
   return succeeds(extractor.skip_row(Substitute::previous_row).status);
 }
 
-bool take_all_rows() {
+bool scan_all_rows() {
   for (;;) switch (ring.peek()) {
       case RowRing::Next::ready:
-        if (!take_row()) return false;
+        if (!scan_row()) return false;
         break;
       case RowRing::Next::lost:
         if (!skip_row()) return false;
@@ -124,7 +124,7 @@ void report() {
 int main() {
   const bool has_room = ring.start(row_bytes, rows_held, memory_of(row_memory)) == Status::ok;
   board::start();
-  const bool succeeded = has_room && start() && take_all_rows() && end();
+  const bool succeeded = has_room && start() && scan_all_rows() && end();
   report();
   board::stop(succeeded);
 }

@@ -46,7 +46,7 @@ bool start() {
   return succeeds(slices.start(config, memory_of(memory), {nullptr, board::uart_write}));
 }
 
-bool take_row() {
+bool scan_row() {
   const auto* const samples = static_cast<const scan::Sample*>(ring.row());
   const Status status = slices.push(samples, scan::limits.width).status;
   ring.pop();  // before waiting for the UART: the next row needs the room
@@ -60,10 +60,10 @@ bool skip_row() {
   return succeeds(slices.skip_row(Substitute::previous_row).status);
 }
 
-bool take_all_rows() {
+bool scan_all_rows() {
   for (;;) switch (ring.peek()) {
       case RowRing::Next::ready:
-        if (!take_row()) return false;
+        if (!scan_row()) return false;
         break;
       case RowRing::Next::lost:
         if (!skip_row()) return false;
@@ -101,7 +101,7 @@ void rows::end_of_scan(uint32_t count, bool was_broken_off) {
 int main() {
   const bool has_room = ring.start(row_bytes, rows_held, memory_of(row_memory)) == Status::ok;
   board::start();
-  const bool succeeded = has_room && start() && take_all_rows() && end();
+  const bool succeeded = has_room && start() && scan_all_rows() && end();
   board::report("memory_bytes", sizeof memory);
   board::report("slices", slices.slices());
   board::report("stream_bytes", static_cast<uint32_t>(slices.bytes()));

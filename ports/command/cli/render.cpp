@@ -42,7 +42,7 @@ FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface,
 }
 
 // The gradient is normal to the surface only if a threshold alone divides the samples.
-bool takes_gradient(const RenderArguments& arguments) {
+bool uses_gradient(const RenderArguments& arguments) {
   const VolumeArguments& reading = arguments.reading;
   return arguments.smooth && arguments.surface == SurfaceKind::merged && reading.median == 0 &&
          reading.mask.empty() && !reading.selections[0].has_upper_end();
@@ -51,7 +51,7 @@ bool takes_gradient(const RenderArguments& arguments) {
 // options: of the extraction. volume: not yet read; this function reads all of it.
 FileMesh mesh_of_volume(const RenderArguments& arguments, MeasuredVolume& volume,
                         ExtractionOptions options) {
-  options.normals = takes_gradient(arguments);
+  options.normals = uses_gradient(arguments);
   std::unique_ptr<SliceReader> narrow;
   if (options.normals && !is_scanner_type(volume.info().type)) {
     narrow =
@@ -78,7 +78,7 @@ FileMesh mesh_of_volume(const RenderArguments& arguments, MeasuredVolume& volume
 }
 
 FileMesh volume_to_draw(RenderArguments arguments) {
-  if (takes_gradient(arguments)) require_second_pass(arguments.input, gradient_pass);
+  if (uses_gradient(arguments)) require_second_pass(arguments.input, gradient_pass);
   const auto volume = open_measured(arguments.input, arguments.reading);
   Progress progress("extracting", volume->info().dims[2]);
   const auto mask = open_noted_mask(arguments.reading, volume->info());

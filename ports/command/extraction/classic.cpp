@@ -81,7 +81,7 @@ class Cubes {
     add_cells();
   }
 
-  FaceMesh take() { return std::move(mesh_); }
+  FaceMesh mesh() { return std::move(mesh_); }
 
  private:
   // A slice of voxels with its halo, and the vertices on the edges that begin in the slice.
@@ -182,7 +182,7 @@ FaceMesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options) {
     if (options.progress) options.progress(z + 1);
   }
   if (options.border == Border::closed) cubes.add_halo_slice();
-  return cubes.take();
+  return cubes.mesh();
 }
 
 }  // namespace discmc::command

@@ -34,7 +34,7 @@ template <class Normals>
 ArenaSize arena_of(const Limits& limits, std::uint64_t bytes) {
   const std::uint64_t least = detail::sizing::minimum_bytes<std::uint16_t, Normals>(limits);
   if (bytes < least) throw std::invalid_argument(too_little_memory(bytes, limits, least));
-  if (takes_narrow_indices<Normals>(limits, bytes))
+  if (fits_narrow_indices<Normals>(limits, bytes))
     return {true, bytes, detail::sizing::default_capacities<std::uint16_t, Normals>(limits, bytes)};
   return {false, bytes, detail::sizing::default_capacities<std::uint32_t, Normals>(limits, bytes)};
 }

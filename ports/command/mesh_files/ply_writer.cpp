@@ -26,10 +26,10 @@ void require_short_faces(const FileMesh& mesh) {
 }
 
 // The header has a fixed length, because MeshParts counts its faces last.
-std::string ply_header(const FileMesh& mesh, bool takes_floats, std::size_t vertices,
+std::string ply_header(const FileMesh& mesh, bool uses_floats, std::size_t vertices,
                        std::uint64_t faces) {
   constexpr std::size_t max_digits = 20;
-  const std::string property = takes_floats ? "\nproperty float " : "\nproperty double ";
+  const std::string property = uses_floats ? "\nproperty float " : "\nproperty double ";
   const std::string count = decimal(faces);
   std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + header_text(mesh) +
                        std::string(max_digits - count.size(), ' ') + "\nelement vertex " +
@@ -41,8 +41,8 @@ std::string ply_header(const FileMesh& mesh, bool takes_floats, std::size_t vert
   return header + "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-void write_ply_vertex(const FileMesh& mesh, std::size_t vertex, bool takes_floats, Writer& writer) {
-  if (takes_floats)
+void write_ply_vertex(const FileMesh& mesh, std::size_t vertex, bool uses_floats, Writer& writer) {
+  if (uses_floats)
     writer.floats(mesh.vertices_mm[vertex]);
   else
     writer.doubles(mesh.vertices_mm[vertex]);
@@ -62,11 +62,11 @@ void write_ply_face(const FileMesh& mesh, std::size_t face, Writer& writer) {
 void write_ply(const FileMesh& mesh, std::ostream& out, unsigned jobs) {
   require_short_faces(mesh);
   require_fit(mesh.vertices_mm.size());
-  const bool takes_floats = suits_floats(mesh);
+  const bool uses_floats = suits_floats(mesh);
   Writer writer(out);
-  writer.text(ply_header(mesh, takes_floats, mesh.vertices_mm.size(), mesh.face_count()));
+  writer.text(ply_header(mesh, uses_floats, mesh.vertices_mm.size(), mesh.face_count()));
   writer.items(jobs, mesh.vertices_mm.size(), [&](Writer& part, std::size_t vertex) {
-    write_ply_vertex(mesh, vertex, takes_floats, part);
+    write_ply_vertex(mesh, vertex, uses_floats, part);
   });
   writer.items(jobs, mesh.face_count(),
                [&mesh](Writer& part, std::size_t face) { write_ply_face(mesh, face, part); });

@@ -107,10 +107,10 @@ class Writer {
         [](Nothing&) {});
   }
 
-  /// Likewise calls write(writer, number, room) for parts 0 to count - 1, and take(room) after a
+  /// Likewise calls write(writer, number, room) for parts 0 to count - 1, and consume(room) after a
   /// part is written. Later parts reuse a room.
-  template <typename Room, typename Write, typename Take>
-  void parts(unsigned jobs, std::size_t count, const Write& write, const Take& take) {
+  template <typename Room, typename Write, typename Consume>
+  void parts(unsigned jobs, std::size_t count, const Write& write, const Consume& consume) {
     struct Part {
       Writer writer{};  // calls the private constructor
       Room room{};
@@ -118,9 +118,9 @@ class Writer {
     run_in_order<Part>(
         jobs, count, [](std::size_t, Part& part) { part.writer.used_ = 0; },
         [&write](std::size_t number, Part& part) { write(part.writer, number, part.room); },
-        [this, &take](std::size_t, Part& part) {
+        [this, &consume](std::size_t, Part& part) {
           write_through({part.writer.buffer_.data(), part.writer.used_});
-          take(part.room);
+          consume(part.room);
         });
   }
 

@@ -24,7 +24,7 @@ constexpr int too_late = 408;
 constexpr int too_large = 431;
 
 // Removes and returns the text before a separator, and removes the separator.
-std::string_view take(std::string_view& text, std::string_view separator) {
+std::string_view next_part(std::string_view& text, std::string_view separator) {
   const std::size_t end = text.find(separator);
   const std::string_view taken = text.substr(0, end);
   text.remove_prefix(end == std::string_view::npos ? text.size() : end + separator.size());
@@ -40,16 +40,16 @@ HttpRequest refused(int status) {
 }  // namespace
 
 HttpRequest parse_request(std::string_view head) {
-  std::string_view first = take(head, line_end);
+  std::string_view first = next_part(head, line_end);
   HttpRequest request;
-  request.method = take(first, " ");
-  std::string_view target = take(first, " ");
-  request.path = take(target, "?");
+  request.method = next_part(first, " ");
+  std::string_view target = next_part(first, " ");
+  request.path = next_part(target, "?");
   if (first.rfind("HTTP/1.", 0) != 0) return refused(bad_request);
   bool has_host = false;
   while (!head.empty()) {
-    std::string_view value = take(head, line_end);
-    const std::string name = lower(take(value, ":"));
+    std::string_view value = next_part(head, line_end);
+    const std::string name = lower(next_part(value, ":"));
     if (name == "range") request.has_range = true;
     if (name != "host") continue;
     if (has_host) return refused(bad_request);

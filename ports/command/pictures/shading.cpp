@@ -37,11 +37,11 @@ Shader::Shader(const FaceMesh& mesh, const std::vector<Projected>& vertices, con
       face_(mesh.face_count()) {}
 
 Colour Shader::colour(std::size_t face, bool is_inside, double x, double y) {
-  if (face != face_) take(face);
+  if (face != face_) begin_face(face);
   return light(shading_ == Shading::flat ? face_normal_ : normal_at(x, y), is_inside);
 }
 
-void Shader::take(std::size_t face) {
+void Shader::begin_face(std::size_t face) {
   face_ = face;
   face_normal_ = face_normal(mesh_, face);
   if (!face_colours_.empty()) surface_ = light_of(face_colours_[face]);

@@ -37,7 +37,7 @@ class Shader {
   Colour colour(std::size_t face, bool is_inside, double x, double y);
 
  private:
-  void take(std::size_t face);
+  void begin_face(std::size_t face);
   Point normal_at(double x, double y) const;
   Colour light(const Point& normal, bool is_inside) const;
 

@@ -9,7 +9,7 @@ constexpr std::string_view blanks = " \t\r\n\v\f";
 
 }  // namespace
 
-std::optional<std::string_view> take_line(std::string_view& text) {
+std::optional<std::string_view> next_line(std::string_view& text) {
   if (text.empty()) return std::nullopt;
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);

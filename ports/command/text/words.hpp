@@ -11,7 +11,7 @@ namespace discmc::command {
 
 /// Removes and returns the first line, without its line feed and carriage return; nothing at the
 /// end.
-std::optional<std::string_view> take_line(std::string_view& text);
+std::optional<std::string_view> next_line(std::string_view& text);
 
 /// Returns the text without blanks at either end.
 std::string_view trimmed(std::string_view text);

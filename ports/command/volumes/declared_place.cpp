@@ -124,7 +124,7 @@ DeclaredPlace of_atoms(VolumeInfo& info, DeclaredPlace place) {
 // ---- axes ----
 
 // Sets the spacing without its signs, and returns the axes.
-Axes take_axes(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
+Axes separate_spacing(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
   Axes axes = place.steps ? *place.steps : place.directions.value_or(coordinates);
   Vector lengths{1, 1, 1};
   if (place.steps) {
@@ -194,7 +194,7 @@ std::string in_british_singular(std::string_view name) {
 
 void set_place(VolumeInfo& info, const DeclaredPlace& declared, const VolumeOptions& options) {
   const DeclaredPlace place = options.spacing_mm ? declared : of_atoms(info, declared);
-  VolumePlacement placement{place.space, place.origin, take_axes(info, place, options)};
+  VolumePlacement placement{place.space, place.origin, separate_spacing(info, place, options)};
   if (place.origin != Vector{}) note_units(info, place.space_units);
   multiply(placement.origin_mm, millimetres_of(place.space_units));
   if (place.is_left_handed) {

@@ -77,7 +77,7 @@ std::optional<LabelDescription> entry(std::string_view index, std::string_view n
 class Reader {
  public:
   /// Returns whether the line names the columns.
-  bool take_head(std::string_view line) {
+  bool read_head(std::string_view line) {
     for (const char separator : {'\t', ','}) {
       separator_ = separator;
       heads_.clear();
@@ -170,7 +170,7 @@ LabelTable read_label_table(const std::string& file) {
     // Blanks may be empty columns.
     const std::string_view line = without_line_end(text);
     if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-    const bool is_head = is_first && reader.take_head(line);
+    const bool is_head = is_first && reader.read_head(line);
     is_first = false;
     if (is_head) continue;
     auto read = reader.read(line);

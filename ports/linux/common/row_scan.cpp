@@ -23,7 +23,7 @@ StreamLabel label_of(const ScanPlan& plan) {
 RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
     : plan_(plan), memory_(plan.memory) {
   const Limits limits{plan.dims[0], plan.dims[1], plan.border};
-  if (command::takes_narrow_indices(limits, memory_.size()))
+  if (command::fits_narrow_indices(limits, memory_.size()))
     extractor_.emplace<Extractor16>();
   else
     extractor_.emplace<Extractor32>();

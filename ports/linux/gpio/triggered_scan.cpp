@@ -6,7 +6,7 @@ void TriggeredScan::process(const LineEvent& event) {
   if (state_ == State::ended) return;
   switch (event.role) {
     case LineRole::sync:
-      return take_edge(event);
+      return process_edge(event);
     case LineRole::button:
       return press(button_.update(event.is_active, event.time_ns));
     case LineRole::end_stop:
@@ -14,7 +14,7 @@ void TriggeredScan::process(const LineEvent& event) {
   }
 }
 
-void TriggeredScan::take_edge(const LineEvent& edge) {
+void TriggeredScan::process_edge(const LineEvent& edge) {
   const std::uint32_t missed = counter_.missed_before(edge);
   if (state_ != State::running) {
     ++unused_;

@@ -44,7 +44,7 @@ class TriggeredScan {
   void report(std::ostream& out) const;
 
  private:
-  void take_edge(const LineEvent& edge);
+  void process_edge(const LineEvent& edge);
   void press(Button::Press press);
 
   RowScan& scan_;

@@ -69,8 +69,8 @@ class Recorder {
                              }}));
   }
 
-  std::vector<Outline> take_outlines() { return std::exchange(outlines_, {}); }
-  std::string take_bytes() { return std::exchange(bytes_, {}); }
+  std::vector<Outline> move_outlines() { return std::exchange(outlines_, {}); }
+  std::string move_bytes() { return std::exchange(bytes_, {}); }
 
  private:
   // A side longer than a run continues in the next one.
@@ -126,8 +126,8 @@ class Scan {
   virtual std::size_t bytes_used() const = 0;
   virtual std::pair<std::uint32_t, std::uint32_t> place() const = 0;
 
-  py::list polygons() { return to_python(recorder_.take_outlines()); }
-  py::bytes encoded() { return recorder_.take_bytes(); }
+  py::list polygons() { return to_python(recorder_.move_outlines()); }
+  py::bytes encoded() { return recorder_.move_bytes(); }
 
  protected:
   Recorder recorder_;

@@ -49,7 +49,7 @@ std::uint64_t min_memory(const StreamHeader& header) {
 }
 
 DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::uint64_t memory) {
-  return command::takes_narrow_indices(limits_of(header), memory)
+  return command::fits_narrow_indices(limits_of(header), memory)
              ? scan<std::uint16_t>(bits, header, memory)
              : scan<std::uint32_t>(bits, header, memory);
 }

@@ -26,7 +26,7 @@ class Blocks {
   virtual ~Blocks() = default;
 
   virtual void add_slice(const void* samples) = 0;
-  virtual void take_values(void* samples) = 0;
+  virtual void move_values_to(void* samples) = 0;
   /// Returns the labels that no block has kept, such as ", 5, 7".
   virtual std::string lost() const { return {}; }
 };
@@ -97,7 +97,7 @@ class Means final : public Blocks {
         for (const std::uint32_t end = division_.end_of(x, 0); x < end; ++x) mean->add(*sample++);
     }
   }
-  void take_values(void* samples) override {
+  void move_values_to(void* samples) override {
     auto* value = static_cast<Sample*>(samples);
     for (auto& mean : means_) *value++ = std::exchange(mean, {}).value();
   }
@@ -120,7 +120,7 @@ class MostFrequent final : public Blocks {
       for (std::size_t i = 0; i < slice_samples(); ++i)
         if (i == 0 || first[i] != first[i - 1]) kept_.emplace(first[i], false);
   }
-  void take_values(void* samples) override {
+  void move_values_to(void* samples) override {
     auto* value = static_cast<Sample*>(samples);
     for (std::uint32_t y = 0; y < division_.voxels[1]; y += division_.extent)
       for (std::uint32_t x = 0; x < division_.voxels[0]; x += division_.extent) {
@@ -202,25 +202,25 @@ class ShrunkVolume final : public VolumeFilter {
   }
 
   void read_slice(void* samples) override {
-    const std::uint32_t layer = take_layer();
+    const std::uint32_t layer = begin_layer();
     for (std::uint32_t z = 0; z < layer; ++z) {
       volume().read_slice(slice_.data());
       blocks_->add_slice(slice_.data());
     }
-    blocks_->take_values(samples);
+    blocks_->move_values_to(samples);
     const std::string lost = read_ < volume().info().dims[2] ? std::string() : blocks_->lost();
     if (!lost.empty())
       add_note("--shrink loses " + lost.substr(2) + ", the most frequent of no block");
   }
 
   void skip_slice() override {
-    for (std::uint32_t left = take_layer(); left > 0; --left) volume().skip_slice();
+    for (std::uint32_t left = begin_layer(); left > 0; --left) volume().skip_slice();
   }
 
  private:
   // Returns the number of slices in the next layer. At the end, one read too many makes the volume
   // throw.
-  std::uint32_t take_layer() {
+  std::uint32_t begin_layer() {
     const std::uint32_t layer = std::clamp(volume().info().dims[2] - read_, 1U, extent_);
     read_ += layer;
     return layer;

@@ -42,13 +42,13 @@ class Mask final : public VolumeFilter {
       using Sample = decltype(typed);
       const auto* const begin = static_cast<const Sample*>(samples);
       std::for_each(begin, begin + info().slice_bytes() / sizeof(Sample), [this](Sample sample) {
-        if (sample != 0 && label_ != LabelValue(sample)) take(sample);
+        if (sample != 0 && label_ != LabelValue(sample)) set_label(sample);
       });
     });
   }
 
  private:
-  void take(LabelValue label) {
+  void set_label(LabelValue label) {
     if (label_ != LabelValue(0))
       fail(file_,
            "the values " + label_.text() + " and " + label.text() +

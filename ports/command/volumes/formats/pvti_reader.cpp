@@ -46,7 +46,7 @@ class PiecesVolume final : public NumberedSlices {
   void read(std::uint32_t slice, void* samples) override {
     require_covered(slice);
     for (Piece& piece : pieces_)
-      if (piece.has_slice(slice)) take(piece, slice, static_cast<unsigned char*>(samples));
+      if (piece.has_slice(slice)) copy_piece(piece, slice, static_cast<unsigned char*>(samples));
   }
 
   std::unique_ptr<VolumeReader> opened(const Piece& piece) const {
@@ -79,7 +79,7 @@ class PiecesVolume final : public NumberedSlices {
              "write it again with all pieces");
   }
 
-  void take(Piece& piece, std::uint32_t slice, unsigned char* samples) {
+  void copy_piece(Piece& piece, std::uint32_t slice, unsigned char* samples) {
     if (!piece.volume) piece.volume = opened(piece);
     for (; piece.first[2] + piece.next < slice; ++piece.next) piece.volume->skip_slice();
     bytes_.resize(piece.volume->info().slice_bytes());

@@ -27,7 +27,7 @@ class Head {
       : file_(stream.file()), coordinate_(coordinate) {
     std::string text;
     do {
-      take_tag(stream, text);
+      append_tag(stream, text);
       const std::string_view tag = std::string_view(text).substr(text.rfind('<'));
       const auto begins = [tag](std::string_view name) { return tag.rfind(name, 0) == 0; };
       is_appended_ = begins("<AppendedData");
@@ -91,7 +91,7 @@ class Head {
   const char* scalars() const { return data().attribute("Scalars").value(); }
 
   // Appends the stream's text up to the end of a tag.
-  void take_tag(ByteStream& stream, std::string& text) const {
+  void append_tag(ByteStream& stream, std::string& text) const {
     // The samples may precede the coordinates.
     const std::size_t max_header_bytes = std::size_t{1} << (coordinate_ ? 30 : 20);
     char c = 0;

@@ -47,7 +47,7 @@ class HeaderReader {
     if (storage != "ascii" && storage != "binary")
       refuse("the third line is " + shown(storage), "write ASCII or BINARY there");
     header_.is_text = storage == "ascii";
-    while (header_.type.empty()) take(line());
+    while (header_.type.empty()) read_header_line(line());
     return std::move(header_);
   }
 
@@ -75,7 +75,7 @@ class HeaderReader {
     return numbers;
   }
 
-  void take(const std::string& text) {
+  void read_header_line(const std::string& text) {
     const auto found = words(text);
     if (found.empty()) return;
     const std::string key = lower(found[0]);
@@ -104,7 +104,7 @@ class HeaderReader {
       expect_words(found, 3);
       skip_field(integer(stream_.file(), key, found[2]));
     } else if (are_arrays_next_) {
-      take_array(key, found);
+      read_array(key, found);
     } else {
       refuse("the header line " + shown(text) + " is unknown", "correct the header");
     }
@@ -142,7 +142,7 @@ class HeaderReader {
     }
   }
 
-  void take_array(const std::string& key, const std::vector<std::string_view>& found) {
+  void read_array(const std::string& key, const std::vector<std::string_view>& found) {
     if (key == "scalars") {
       expect_words(found, 3);
       header_.type = lower(found[2]);
@@ -197,7 +197,7 @@ std::string note_of_rest(ByteStream& stream) {
   constexpr std::size_t max_shown = 256;
   std::string_view text = trimmed(stream.peek(max_shown));
   const std::string damage = stream.damage();
-  const std::string_view line = take_line(text).value_or("");
+  const std::string_view line = next_line(text).value_or("");
   if (line.empty() && damage.empty()) return {};
   return "everything after the first array is left out: " + (damage.empty() ? shown(line) : damage);
 }

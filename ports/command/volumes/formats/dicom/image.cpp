@@ -24,7 +24,7 @@ std::optional<Vector> direction(const std::array<double, 6>& orientation, std::s
 }
 
 // Returns whether an element has the distances between voxels.
-bool take_spacing(DcmElement* element, const char* name, DicomFrame& frame) {
+bool read_spacing(DcmElement* element, const char* name, DicomFrame& frame) {
   const auto spacing = reals_of<2>(element);
   if (!spacing || !((*spacing)[0] > 0 && (*spacing)[1] > 0)) return false;
   frame.spacing_mm = {(*spacing)[1], (*spacing)[0]};
@@ -33,7 +33,7 @@ bool take_spacing(DcmElement* element, const char* name, DicomFrame& frame) {
 }
 
 // Returns whether the picture has one region of ultrasound, with distances in centimetres.
-bool take_region(DcmItem& dataset, DicomFrame& frame) {
+bool read_region(DcmItem& dataset, DicomFrame& frame) {
   constexpr std::uint32_t centimetres = 3;
   DcmItem* other = nullptr;
   DcmItem* const region = first_item(dataset, DCM_SequenceOfUltrasoundRegions);
@@ -52,14 +52,14 @@ bool take_region(DcmItem& dataset, DicomFrame& frame) {
 
 void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& frame) {
   const bool has_lengths =
-      take_spacing(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing), "PixelSpacing",
+      read_spacing(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing), "PixelSpacing",
                    frame) ||
-      take_spacing(element_of(dataset, DCM_ImagerPixelSpacing), "ImagerPixelSpacing", frame) ||
-      take_spacing(element_of(dataset, DCM_NominalScannedPixelSpacing),
+      read_spacing(element_of(dataset, DCM_ImagerPixelSpacing), "ImagerPixelSpacing", frame) ||
+      read_spacing(element_of(dataset, DCM_NominalScannedPixelSpacing),
                    "NominalScannedPixelSpacing", frame) ||
-      take_region(dataset, frame);
+      read_region(dataset, frame);
   if (!has_lengths &&
-      take_spacing(element_of(dataset, DCM_PixelAspectRatio), "PixelAspectRatio", frame))
+      read_spacing(element_of(dataset, DCM_PixelAspectRatio), "PixelAspectRatio", frame))
     frame.spacing_mm = {1, frame.spacing_mm[1] / frame.spacing_mm[0]};
   for (const auto& [key, name] : {std::pair(DCM_SpacingBetweenSlices, "SpacingBetweenSlices"),
                                   std::pair(DCM_SliceThickness, "SliceThickness")}) {

@@ -88,7 +88,7 @@ std::vector<std::string> nexus_names(const Hdf5Handle& dataset, const Hdf5Handle
 
 // Reads the axes of EMD, the datasets dim1, dim2, ... beside the array: "z" in "[n_m]". Version 1
 // begins with dim0.
-bool take_emd_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& group) {
+bool read_emd_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& group) {
   if (H5Aexists(group.id(), "emd_group_type") <= 0) return false;
   const std::size_t first = H5Lexists(group.id(), "dim0", H5P_DEFAULT) > 0 ? 0 : 1;
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -103,10 +103,10 @@ bool take_emd_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& group) {
   return true;
 }
 
-void take_nexus_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& dataset) {
+void read_nexus_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& dataset) {
   const std::string folder = std::filesystem::path(path_of(dataset)).parent_path().string();
   const Hdf5Handle group(H5Gopen2(dataset.id(), folder.c_str(), H5P_DEFAULT), H5Gclose);
-  if (take_emd_axes(axes, group)) return;
+  if (read_emd_axes(axes, group)) return;
   const auto names = nexus_names(dataset, group);
   for (std::size_t i = 0; i < axes.size() && names.size() == axes.size(); ++i) {
     axes[i] = axis_of({H5Oopen(group.id(), names[i].c_str(), H5P_DEFAULT), H5Oclose});
@@ -150,7 +150,7 @@ std::vector<Hdf5Axis> axes_of(const Hdf5Handle& dataset, std::size_t count) {
   const Hdf5Handle each(H5Tget_super(list.type.id()), H5Tclose);
   if (list.count != count || H5Tget_class(list.type.id()) != H5T_VLEN ||
       H5Tequal(each.id(), H5T_STD_REF_OBJ) <= 0) {
-    take_nexus_axes(axes, dataset);
+    read_nexus_axes(axes, dataset);
     return axes;
   }
   std::vector<hvl_t> references(count);

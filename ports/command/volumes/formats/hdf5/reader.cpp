@@ -167,8 +167,8 @@ std::string letters_of(const std::vector<Hdf5Axis>& axes) {
 }
 
 // Attributes list the three axes of space in stored order; an image may lack the first.
-void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vector<double>& sizes,
-                const std::vector<double>& offsets, const char* unit) {
+void set_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vector<double>& sizes,
+               const std::vector<double>& offsets, const char* unit) {
   if (sizes.size() != 3) return;
   place.set_unit(unit);
   const std::string order = layout.order();
@@ -181,7 +181,7 @@ void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vect
 
 // Copies the numbers of an image with x first, unless they are missing.
 template <class Target>
-bool take_three(Target& target, const std::vector<double>& numbers) {
+bool set_three(Target& target, const std::vector<double>& numbers) {
   if (numbers.size() == 3) std::copy(numbers.begin(), numbers.end(), target.begin());
   return numbers.size() == 3;
 }
@@ -198,24 +198,24 @@ Hdf5Handle folder_of(const Hdf5Handle& file, const std::string& path) {
 
 // Reads the geometry of DREAM.3D, which is in a group of its own, with x first and without a unit.
 // DREAM3D-NX stores it in attributes of the array's parent group.
-void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path) {
+void read_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path) {
   const Hdf5Handle group = folder_of(file, std::filesystem::path(path).parent_path().string());
-  take_three(place.spacing, numbers_of(group, "_SPACING"));
-  take_three(place.origin, numbers_of(group, "_ORIGIN"));
+  set_three(place.spacing, numbers_of(group, "_SPACING"));
+  set_three(place.origin, numbers_of(group, "_ORIGIN"));
   constexpr std::string_view containers = "/DataContainers/";
   const std::size_t end = path.find('/', containers.size());
   if (path.compare(0, containers.size(), containers) != 0 || end == std::string::npos) return;
   const std::string geometry = path.substr(0, end) + "/_SIMPL_GEOMETRY/";
-  take_three(place.spacing, numbers_in(file, geometry + "SPACING"));
-  take_three(place.origin, numbers_in(file, geometry + "ORIGIN"));
+  set_three(place.spacing, numbers_in(file, geometry + "SPACING"));
+  set_three(place.origin, numbers_in(file, geometry + "ORIGIN"));
 }
 
-void take_chimera_map(VolumeInfo& info, DeclaredPlace& place, const Hdf5Handle& file,
+void read_chimera_map(VolumeInfo& info, DeclaredPlace& place, const Hdf5Handle& file,
                       const std::string& path) {
   if (!is_of_chimera(path)) return;
   const Hdf5Handle group = folder_of(file, path);
-  if (!take_three(place.spacing, numbers_of(group, "step"))) return;
-  take_three(place.origin, numbers_of(group, "origin"));
+  if (!set_three(place.spacing, numbers_of(group, "step"))) return;
+  set_three(place.origin, numbers_of(group, "origin"));
   place.set_unit("mm");
   note(info, "lengths are in angstrom; 1 angstrom is written as 1 mm");
   const auto angles = numbers_of(group, "cell_angles");
@@ -225,14 +225,14 @@ void take_chimera_map(VolumeInfo& info, DeclaredPlace& place, const Hdf5Handle& 
 }
 
 // Reads the geometry of ITK, which is beside the array, with x first, in the space of the patient.
-void take_itk_image(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path,
+void read_itk_image(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path,
                     const ArrayLayout& layout) {
   const std::filesystem::path image = std::filesystem::path(path).parent_path();
   if (!is_in("/ITKImage/", path) || path != image / "VoxelData" || layout.order() != "zyx") return;
   const auto directions = numbers_in(file, image / "Directions");
   DeclaredPlace of_itk;
-  if (directions.size() != 9 || !take_three(of_itk.spacing, numbers_in(file, image / "Spacing")) ||
-      !take_three(of_itk.origin, numbers_in(file, image / "Origin")))
+  if (directions.size() != 9 || !set_three(of_itk.spacing, numbers_in(file, image / "Spacing")) ||
+      !set_three(of_itk.origin, numbers_in(file, image / "Origin")))
     return;
   place = of_itk;
   place.directions.emplace();
@@ -241,7 +241,7 @@ void take_itk_image(DeclaredPlace& place, const Hdf5Handle& file, const std::str
   place.space = Space::lps;
 }
 
-void take_vtk_image(DeclaredPlace& place, const std::filesystem::path& name, const Hdf5Handle& file,
+void read_vtk_image(DeclaredPlace& place, const std::filesystem::path& name, const Hdf5Handle& file,
                     const std::string& path, const ArrayLayout& layout) {
   const std::string order = layout.order();
   const bool is_of_cells = is_in(vtk_cells, path);
@@ -271,14 +271,14 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
                        const ArrayLayout& layout, const VolumeOptions& options) {
   const Hdf5Handle& handle = dataset.handle();
   DeclaredPlace place;
-  take_geometry(place, file, dataset.description().path);
-  take_chimera_map(info, place, file, dataset.description().path);
-  take_itk_image(place, file, dataset.description().path, layout);
-  take_vtk_image(place, name, file, dataset.description().path, layout);
-  take_sizes(place, layout, numbers_of(handle, "element_size_um"), {}, "um");
+  read_geometry(place, file, dataset.description().path);
+  read_chimera_map(info, place, file, dataset.description().path);
+  read_itk_image(place, file, dataset.description().path, layout);
+  read_vtk_image(place, name, file, dataset.description().path, layout);
+  set_sizes(place, layout, numbers_of(handle, "element_size_um"), {}, "um");
   const auto resolution = numbers_of(handle, "resolution");
   if (resolution.size() == 3) note(info, "resolution and offset are read as nm, as CREMI has them");
-  take_sizes(place, layout, resolution, numbers_of(handle, "offset"), "nm");
+  set_sizes(place, layout, resolution, numbers_of(handle, "offset"), "nm");
   for (const char* const attribute : {"spacing", "voxel_size"})
     if (numbers_of(handle, attribute).size() == 3)
       note(info, std::string(attribute) +

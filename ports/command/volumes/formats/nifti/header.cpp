@@ -17,7 +17,7 @@ constexpr std::int32_t bytes_of_2 = static_cast<std::int32_t>(nifti2::bytes);
 
 // Reads `count` successive numbers of the file.
 template <class Number, class Numbers>
-void take(const HeaderBytes& bytes, std::size_t offset, Numbers& numbers) {
+void read_numbers(const HeaderBytes& bytes, std::size_t offset, Numbers& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i)
     numbers[i] = static_cast<typename Numbers::value_type>(
         bytes.number<Number>(offset + i * sizeof(Number)));
@@ -35,17 +35,17 @@ NiftiHeader header_of_2(const std::filesystem::path& file, const HeaderBytes& by
   if (!header.is_one_file && magic != std::string_view("ni2\0", 4))
     fail(file, "the magic of NIfTI-2 is " + shown(magic), "copy the file again");
   header.datatype = bytes.number<std::int16_t>(nifti2::datatype);
-  take<std::int64_t>(bytes, nifti2::dim, header.dim);
-  take<double>(bytes, nifti2::pixdim, header.pixdim);
+  read_numbers<std::int64_t>(bytes, nifti2::dim, header.dim);
+  read_numbers<double>(bytes, nifti2::pixdim, header.pixdim);
   header.vox_offset = bytes.number<std::int64_t>(nifti2::vox_offset);
   header.scl_slope = bytes.number<double>(nifti2::slope);
   header.scl_inter = bytes.number<double>(nifti2::intercept);
   header.qform_code = bytes.number<std::int32_t>(nifti2::qform_code);
   header.sform_code = bytes.number<std::int32_t>(nifti2::sform_code);
-  take<double>(bytes, nifti2::quaternion, header.quatern);
-  take<double>(bytes, nifti2::qoffset, header.qoffset);
+  read_numbers<double>(bytes, nifti2::quaternion, header.quatern);
+  read_numbers<double>(bytes, nifti2::qoffset, header.qoffset);
   for (std::size_t row = 0; row < 3; ++row)
-    take<double>(bytes, nifti2::srow + 32 * row, header.srow[row]);
+    read_numbers<double>(bytes, nifti2::srow + 32 * row, header.srow[row]);
   header.unit = unit_of(bytes.number<std::int32_t>(nifti2::units));
   return header;
 }
@@ -60,8 +60,8 @@ std::int64_t whole_offset(const std::filesystem::path& file, float vox_offset) {
 NiftiHeader header_of_1(const std::filesystem::path& file, const HeaderBytes& bytes) {
   NiftiHeader header;
   header.datatype = bytes.number<std::int16_t>(70);
-  take<std::int16_t>(bytes, 40, header.dim);
-  take<float>(bytes, 76, header.pixdim);
+  read_numbers<std::int16_t>(bytes, 40, header.dim);
+  read_numbers<float>(bytes, 76, header.pixdim);
   header.vox_offset = whole_offset(file, bytes.number<float>(108));
   header.scl_slope = decimal(bytes.number<float>(112));
   const std::string_view magic = bytes.text(344, 4);
@@ -71,7 +71,7 @@ NiftiHeader header_of_1(const std::filesystem::path& file, const HeaderBytes& by
     header.format = "Analyze 7.5";
     header.unit = NiftiUnit::millimetre;
     if (!std::isfinite(header.scl_slope) || header.scl_slope < 0) header.scl_slope = 0;
-    take<std::int16_t>(bytes, 253, header.originator);
+    read_numbers<std::int16_t>(bytes, 253, header.originator);
     return header;
   }
   header.format = "NIfTI-1";
@@ -79,9 +79,10 @@ NiftiHeader header_of_1(const std::filesystem::path& file, const HeaderBytes& by
   header.unit = unit_of(bytes.number<std::uint8_t>(123));
   header.qform_code = bytes.number<std::int16_t>(252);
   header.sform_code = bytes.number<std::int16_t>(254);
-  take<float>(bytes, 256, header.quatern);
-  take<float>(bytes, 268, header.qoffset);
-  for (std::size_t row = 0; row < 3; ++row) take<float>(bytes, 280 + 16 * row, header.srow[row]);
+  read_numbers<float>(bytes, 256, header.quatern);
+  read_numbers<float>(bytes, 268, header.qoffset);
+  for (std::size_t row = 0; row < 3; ++row)
+    read_numbers<float>(bytes, 280 + 16 * row, header.srow[row]);
   return header;
 }
 

@@ -27,7 +27,7 @@ std::optional<Srgb> colour_of(const pugi::xml_node& label) {
                            label.attribute("Blue").value()});
 }
 
-void take_labels(std::string_view xml, VolumeInfo& info) {
+void read_labels(std::string_view xml, VolumeInfo& info) {
   pugi::xml_document document;
   if (!document.load_buffer(xml.data(), xml.size())) return;
   for (const pugi::xml_node volume :
@@ -42,7 +42,7 @@ void take_labels(std::string_view xml, VolumeInfo& info) {
   }
 }
 #else
-void take_labels(std::string_view, VolumeInfo& info) {
+void read_labels(std::string_view, VolumeInfo& info) {
   note(info, "the names of labels are left out, as discmc was built without pugixml");
 }
 #endif
@@ -72,7 +72,7 @@ void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_en
     const bool is_text =
         std::find(codes_of_text.begin(), codes_of_text.end(), code) != codes_of_text.end();
     if (is_text && content.find("<CaretExtension") != std::string::npos)
-      take_labels(trimmed(content), info);
+      read_labels(trimmed(content), info);
   }
 }
 

@@ -82,7 +82,7 @@ const char* name_of(NiftiUnit unit) {
 using Rows = decltype(NiftiHeader::srow);
 
 // Sets the place. Returns whether the rows span a space.
-bool take(const Rows& rows, DeclaredPlace& place) {
+bool set_place(const Rows& rows, DeclaredPlace& place) {
   Axes steps{};
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t axis = 0; axis < 3; ++axis) steps[axis][row] = rows[row][axis];
@@ -96,7 +96,7 @@ bool take(const Rows& rows, DeclaredPlace& place) {
 // Notes that the qform is mirrored against the sform. It is not used otherwise.
 void note_mirrored(VolumeInfo& info, const NiftiHeader& header, const DeclaredPlace& place) {
   DeclaredPlace other;
-  if (header.qform_code > 0 && take(qform_of(header), other) &&
+  if (header.qform_code > 0 && set_place(qform_of(header), other) &&
       (determinant(*other.steps) < 0) != (determinant(*place.steps) < 0))
     note(info, "the qform is mirrored against the sform, and ignored; check which side is left");
 }
@@ -125,7 +125,7 @@ std::optional<std::array<double, 16>> matrix_of(std::string_view bytes, std::str
 
 // Reads SPM's matrix from the file beside an Analyze pair: `mat`, or `M` with reversed x. Voxels
 // are counted from 1.
-bool take_spm_matrix(VolumeInfo& info, std::filesystem::path file, DeclaredPlace& place) {
+bool read_spm_matrix(VolumeInfo& info, std::filesystem::path file, DeclaredPlace& place) {
   std::ifstream in(without_packing(file).replace_extension(".mat"), std::ios::binary);
   if (!in) return false;
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
@@ -139,13 +139,13 @@ bool take_spm_matrix(VolumeInfo& info, std::filesystem::path file, DeclaredPlace
     if (is_mirrored && row == 0)
       for (double& each : rows[row]) each = -each;
   }
-  if (take(rows, place)) return true;
+  if (set_place(rows, place)) return true;
   note(info, "the .mat file beside it is no matrix of MATLAB 4, and is ignored; save it with -v4");
   return false;
 }
 
 // Follows SPM and nibabel: x runs from right to left.
-bool take_origin(VolumeInfo& info, const NiftiHeader& header, DeclaredPlace& place) {
+bool read_origin(VolumeInfo& info, const NiftiHeader& header, DeclaredPlace& place) {
   for (std::size_t i = 0; i < 3; ++i)
     if (header.originator[i] < 1 || header.originator[i] > static_cast<int>(info.dims[i]))
       return false;
@@ -168,15 +168,15 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Nif
     if (header.pixdim[axis + 1] < 0)
       note(info, "pixdim " + std::to_string(axis + 1) + " is negative, and read as positive");
   }
-  bool is_placed = header.sform_code > 0 && take(header.srow, place);
+  bool is_placed = header.sform_code > 0 && set_place(header.srow, place);
   if (is_placed) note_mirrored(info, header, place);
   if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, and is ignored");
   if (!is_placed && header.qform_code > 0) {
-    is_placed = take(qform_of(header), place);
+    is_placed = set_place(qform_of(header), place);
     if (!is_placed) note(info, "the qform spans no space, and is ignored");
   }
-  if (!is_placed && header.is_analyze()) is_placed = take_spm_matrix(info, file, place);
-  if (!is_placed) is_placed = take_origin(info, header, place);
+  if (!is_placed && header.is_analyze()) is_placed = read_spm_matrix(info, file, place);
+  if (!is_placed) is_placed = read_origin(info, header, place);
   if (!is_placed) note(info, "no orientation (sform, qform); left and right are unknown");
   set_place(info, place, options);
 }

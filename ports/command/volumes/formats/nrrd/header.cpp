@@ -75,7 +75,7 @@ NrrdHeader read_nrrd_header(ByteStream& stream) {
            "end the header with an empty line");
     const std::string_view text = *line;
     if (text.substr(colon, 2) == ":=") {  // a key of some program, with its value
-      header.segments.take(text.substr(0, colon), text.substr(colon + 2));
+      header.segments.add(text.substr(0, colon), text.substr(colon + 2));
       continue;
     }
     const std::string name = field_name(file, text.substr(0, colon));

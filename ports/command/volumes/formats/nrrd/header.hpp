@@ -23,7 +23,7 @@ namespace discmc::command {
 class SegmentLabels {
  public:
   /// Stores a key and its value; ignores other keys.
-  void take(std::string_view key, std::string_view value);
+  void add(std::string_view key, std::string_view value);
 
   /// Adds the segments that have a name and belong to a volume of the file, and notes the others.
   /// info: its frames are set.

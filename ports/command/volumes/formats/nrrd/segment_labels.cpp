@@ -29,7 +29,7 @@ std::string unescaped(std::string_view text) {
 
 }  // namespace
 
-void SegmentLabels::take(std::string_view key, std::string_view value) {
+void SegmentLabels::add(std::string_view key, std::string_view value) {
   constexpr std::string_view begin = "Segment";
   const std::size_t end = key.find('_');
   if (end == std::string_view::npos || key.substr(0, begin.size()) != begin) return;

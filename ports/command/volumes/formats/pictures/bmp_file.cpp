@@ -99,7 +99,7 @@ class BmpFile final : public SinglePicture {
         resolve_greys(greys_, out, picture.width);
       } else {
         // Blue comes first. A fourth byte is unused.
-        take_channel(row.data(), picture.width, 1, bmp.bits() / 8, 2 - channel, out);
+        copy_channel(row.data(), picture.width, 1, bmp.bits() / 8, 2 - channel, out);
       }
     }
   }

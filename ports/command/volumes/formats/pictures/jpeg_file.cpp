@@ -31,7 +31,7 @@ extern "C" void give_up(j_common_ptr jpeg) {
 }
 
 // A warning means that libjpeg has replaced data by grey.
-extern "C" void take_message(j_common_ptr jpeg, int level) {
+extern "C" void stop_at_damage(j_common_ptr jpeg, int level) {
   if (level < 0 && jpeg->err->msg_code != JWRN_EXTRANEOUS_DATA) give_up(jpeg);
 }
 
@@ -62,7 +62,7 @@ class JpegFile final : public SinglePicture {
       fail(file(), std::to_string(jpeg_.num_components) + " components per pixel are not supported",
            "convert it to PNG");
     }
-    take_orientation(header, file(), exif_of(jpeg_.marker_list));
+    read_orientation(header, file(), exif_of(jpeg_.marker_list));
     constexpr double units_mm[] = {0, mm_of_inch, mm_of_centimetre};
     if (jpeg_.saw_JFIF_marker != 0 && jpeg_.density_unit < 3 && jpeg_.X_density > 0 &&
         jpeg_.Y_density > 0)
@@ -90,7 +90,7 @@ class JpegFile final : public SinglePicture {
     if (stream_ == nullptr) fail(file(), "the file cannot be opened", "check its permissions");
     jpeg_.err = jpeg_std_error(&damage_);
     damage_.error_exit = give_up;
-    damage_.emit_message = take_message;
+    damage_.emit_message = stop_at_damage;
     if (!read_header()) fail_damaged();
   }
 
@@ -118,7 +118,7 @@ class JpegFile final : public SinglePicture {
       unsigned char* const row = samples + std::size_t{picture.width} * jpeg_.output_scanline;
       JSAMPROW decoded = row_.data();
       jpeg_read_scanlines(&jpeg_, &decoded, 1);
-      take_channel(row_.data(), picture.width, 1, picture.channels, channel, row);
+      copy_channel(row_.data(), picture.width, 1, picture.channels, channel, row);
     }
     jpeg_finish_decompress(&jpeg_);
     return true;

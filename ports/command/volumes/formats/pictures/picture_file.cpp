@@ -11,7 +11,7 @@ PictureKind kind_of(const std::filesystem::path& file) {
   return kind_of_head(stream.peek(picture_magic_bytes));
 }
 
-void take_orientation(PictureHeader& header, const std::filesystem::path& file,
+void read_orientation(PictureHeader& header, const std::filesystem::path& file,
                       std::string_view exif) {
   constexpr std::uint64_t tag = 0x0112, entry_bytes = 12;
   const auto number = [&](std::uint64_t at, std::size_t bytes) {

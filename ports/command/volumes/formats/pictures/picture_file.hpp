@@ -45,7 +45,7 @@ struct PictureHeader {
 
 /// Sets the directions by EXIF, an embedded TIFF file; empty if there is none. Throws if rows and
 /// columns are exchanged.
-void take_orientation(PictureHeader& header, const std::filesystem::path& file,
+void read_orientation(PictureHeader& header, const std::filesystem::path& file,
                       std::string_view exif);
 
 /// A file of pictures. Throws VolumeError if it cannot be read.

@@ -20,7 +20,7 @@ bool is_digit(char c) {
 }
 
 // Removes a number from the front, and returns it without leading zeros.
-std::string_view take_number(std::string_view& text) {
+std::string_view next_number(std::string_view& text) {
   const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
   std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
   text.remove_prefix(number.size());
@@ -163,8 +163,8 @@ std::vector<std::uint64_t> decimals_of(const std::vector<std::filesystem::path>&
 bool is_before(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty()) {
     if (is_digit(a[0]) && is_digit(b[0])) {
-      const std::string_view left = take_number(a);
-      const std::string_view right = take_number(b);
+      const std::string_view left = next_number(a);
+      const std::string_view right = next_number(b);
       if (left.size() != right.size()) return left.size() < right.size();
       if (left != right) return left < right;
     } else {

@@ -38,7 +38,7 @@ class PngFile final : public SinglePicture {
     png_uint_32 bytes = 0;
     png_bytep exif = nullptr;
     if (png_get_eXIf_1(png_, info_, &bytes, &exif) != 0)
-      take_orientation(header, file(), {reinterpret_cast<const char*>(exif), bytes});
+      read_orientation(header, file(), {reinterpret_cast<const char*>(exif), bytes});
     return header;
   }
 
@@ -53,7 +53,7 @@ class PngFile final : public SinglePicture {
     for (std::size_t y = 0; y < rows.size(); ++y)
       rows[y] = stored + y * picture.width * picture.channels * bytes;
     if (!read_rows(rows.data())) fail_damaged();
-    if (!is_direct) take_channel(stored, pixels, bytes, picture.channels, channel, samples);
+    if (!is_direct) copy_channel(stored, pixels, bytes, picture.channels, channel, samples);
     if (!greys_.empty()) resolve_greys(greys_, samples, pixels);
     close();
   }

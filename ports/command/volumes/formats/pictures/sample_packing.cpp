@@ -7,7 +7,7 @@
 
 namespace discmc::command {
 
-void take_channel(const unsigned char* stored, std::size_t pixels, std::size_t sample_bytes,
+void copy_channel(const unsigned char* stored, std::size_t pixels, std::size_t sample_bytes,
                   std::uint32_t channels, std::uint32_t channel, unsigned char* samples) {
   stored += channel * sample_bytes;
   for (std::size_t i = 0; i < pixels; ++i)

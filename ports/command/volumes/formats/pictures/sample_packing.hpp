@@ -11,7 +11,7 @@
 namespace discmc::command {
 
 /// Copies one channel of pixels; the samples may overwrite the pixels.
-void take_channel(const unsigned char* stored, std::size_t pixels, std::size_t sample_bytes,
+void copy_channel(const unsigned char* stored, std::size_t pixels, std::size_t sample_bytes,
                   std::uint32_t channels, std::uint32_t channel, unsigned char* samples);
 
 /// Unpacks a row of whole numbers, the highest bit first, to bytes, or above 8 bits to words of

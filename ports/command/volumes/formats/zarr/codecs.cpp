@@ -33,7 +33,7 @@ std::uint32_t crc32c(const ChunkBytes& bytes, std::size_t count) {
   return ~crc;
 }
 
-void take_checksum(const std::filesystem::path& chunk, ChunkBytes& bytes) {
+void check_and_remove_checksum(const std::filesystem::path& chunk, ChunkBytes& bytes) {
   if (bytes.size() < checksum_bytes) fail_damaged(chunk, "it is incomplete");
   const std::size_t count = bytes.size() - checksum_bytes;
   if (whole_of(&bytes[count], checksum_bytes, false) != crc32c(bytes, count))
@@ -128,7 +128,7 @@ ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,
     const std::size_t before = bytes + checksum_bytes * static_cast<std::size_t>(checksums);
     switch (codecs[i]) {
       case ZarrCodec::crc32c:
-        take_checksum(chunk, packed);
+        check_and_remove_checksum(chunk, packed);
         break;
       case ZarrCodec::blosc:
         packed = unblosced(chunk, packed, before);

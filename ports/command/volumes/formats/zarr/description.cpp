@@ -143,9 +143,9 @@ std::vector<std::size_t> order_of(const Path& file, const Json& configuration, s
 }
 
 // Reads the codecs of an array, or of a shard's index, which has 64-bit numbers.
-void take_codecs(ZarrDescription& array, const Path& file, const Json& codecs);
+void read_codecs(ZarrDescription& array, const Path& file, const Json& codecs);
 
-void take_shard(ZarrDescription& array, const Path& file, const Json& configuration) {
+void read_shard(ZarrDescription& array, const Path& file, const Json& configuration) {
   ZarrShard& shard = array.shard.emplace();
   shard.chunks = array.chunk;
   array.chunk = sizes_of_chunk(file, member(configuration, "chunk_shape"), array.sizes.size());
@@ -163,10 +163,10 @@ void take_shard(ZarrDescription& array, const Path& file, const Json& configurat
       fail(file, "the index of its shards is stored by " + shown(name) + ", which is not supported",
            "write it again as zarr in Python does");
   }
-  take_codecs(array, file, member(configuration, "codecs"));
+  read_codecs(array, file, member(configuration, "codecs"));
 }
 
-void take_codecs(ZarrDescription& array, const Path& file, const Json& codecs) {
+void read_codecs(ZarrDescription& array, const Path& file, const Json& codecs) {
   for (const Json& codec : codecs) {
     const std::string name = text_of(member(codec, "name"));
     const Json& configuration = member(codec, "configuration");
@@ -176,7 +176,7 @@ void take_codecs(ZarrDescription& array, const Path& file, const Json& codecs) {
     else if (name == "transpose")
       array.order = order_of(file, configuration, array.sizes.size());
     else if (name == "sharding_indexed" && codecs.size() == 1 && is_first)
-      take_shard(array, file, configuration);
+      read_shard(array, file, configuration);
     else
       add_codec(array.codecs, file, name);
   }
@@ -197,7 +197,7 @@ ZarrDescription described_version_3(const ZarrNode& node) {
   set_fill(array, node.file, member(json, "fill_value"));
   array.order.resize(axes);
   std::iota(array.order.begin(), array.order.end(), std::size_t{0});
-  take_codecs(array, node.file, member(json, "codecs"));
+  read_codecs(array, node.file, member(json, "codecs"));
   const Json& keys = member(json, "chunk_key_encoding");
   const bool is_default = text_of(member(keys, "name")) != "v2";
   const std::string separator = text_of(member(member(keys, "configuration"), "separator"));
@@ -209,7 +209,7 @@ ZarrDescription described_version_3(const ZarrNode& node) {
 }
 
 // Reads xarray's names of the axes.
-void take_attributes(ZarrDescription& array, const Json& attributes) {
+void read_attributes(ZarrDescription& array, const Json& attributes) {
   if (!array.axis_names.empty()) return;
   for (const Json& name : member(attributes, "_ARRAY_DIMENSIONS"))
     array.axis_names.push_back(text_of(name));
@@ -243,7 +243,7 @@ ZarrDescription described(const ZarrNode& node) {
   const bool is_version_3 = node.file.filename() == "zarr.json";
   ZarrDescription array = is_version_3 ? described_version_3(node) : described_version_2(node);
   array.folder = node.folder;
-  take_attributes(array, node.attributes);
+  read_attributes(array, node.attributes);
   std::uint64_t most = (std::uint64_t{1} << 31) / sample_bytes(array.type);
   for (const std::uint64_t size : array.chunk) {
     if (size > most)

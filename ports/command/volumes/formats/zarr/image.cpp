@@ -176,7 +176,7 @@ std::vector<double> numbers_of(ZarrChunks line) {
 }
 
 // Reads coordinates of xarray: one-dimensional arrays beside the volume's, named like its axes.
-void take_coordinates_of_axes(ZarrImage& image, const ZarrNode& node) {
+void read_coordinates_of_axes(ZarrImage& image, const ZarrNode& node) {
   for (std::size_t i = 0; i < image.axes.size(); ++i) {
     ZarrAxis& axis = image.axes[i];
     axis.name = image.array.axis_names[i];
@@ -228,7 +228,7 @@ ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& fold
   for (const std::string& name : names)
     if (const char letter = axis_letter(name); letter != '?') image.axes.push_back({letter});
   if (image.axes.size() != image.array.sizes.size()) image.axes.clear();
-  take_coordinates_of_axes(image, node);
+  read_coordinates_of_axes(image, node);
   return image;
 }
 

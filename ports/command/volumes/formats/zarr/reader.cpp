@@ -59,7 +59,7 @@ class ZarrVolume final : public NumberedSlices {
     std::uint64_t& row = chunk[*layout_.axes[1]];
     for (row = 0; row * chunk_size(1) < info().dims[1]; ++row)
       for (column = 0; column * chunk_size(0) < info().dims[0]; ++column)
-        take_chunk(chunks_.read(chunk), column * chunk_size(0), row * chunk_size(1));
+        copy_chunk(chunks_.read(chunk), column * chunk_size(0), row * chunk_size(1));
   }
 
   // Returns the extent of a chunk along x, y or z.
@@ -68,7 +68,7 @@ class ZarrVolume final : public NumberedSlices {
   }
 
   // Copies a chunk into the slices, as far as the slices reach. x, y: its position.
-  void take_chunk(const std::optional<ChunkBytes>& samples, std::uint64_t x, std::uint64_t y) {
+  void copy_chunk(const std::optional<ChunkBytes>& samples, std::uint64_t x, std::uint64_t y) {
     const std::size_t size = sample_bytes(info().type);
     const std::uint64_t columns = std::min(chunk_size(0), info().dims[0] - x);
     const std::uint64_t rows = std::min(chunk_size(1), info().dims[1] - y);

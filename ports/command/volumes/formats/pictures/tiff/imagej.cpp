@@ -17,7 +17,7 @@ namespace {
 class Description {
  public:
   Description(const std::filesystem::path& file, std::string_view text) : file_(file) {
-    while (const auto line = take_line(text)) {
+    while (const auto line = next_line(text)) {
       const std::size_t equals = line->find('=');
       if (equals != std::string_view::npos)
         values_.emplace(trimmed(line->substr(0, equals)), trimmed(line->substr(equals + 1)));

@@ -34,7 +34,7 @@ void convert(const TiffPage& page, std::uint32_t channel, unsigned char* stored,
   }
   unsigned char* const taken = is_half(page) ? stored : samples;
   if (page.samples_of_pixel() > 1)
-    take_channel(stored, pixels, page.bits / 8, page.samples, channel, taken);
+    copy_channel(stored, pixels, page.bits / 8, page.samples, channel, taken);
   if (is_half(page)) widen_halves(stored, pixels, samples);
 }
 

@@ -39,7 +39,7 @@ std::optional<std::uint32_t> number_of(std::string_view text, std::string_view k
   const std::size_t at = text.find(key);
   if (at == std::string_view::npos) return std::nullopt;
   text.remove_prefix(at + key.size());
-  const std::string_view line = take_line(text).value_or("");
+  const std::string_view line = next_line(text).value_or("");
   return whole_number<std::uint32_t>(
       trimmed(line.substr(std::min(line.size(), line.find('=') + 1))));
 }
