@@ -65,7 +65,7 @@ std::string value_hint(const NamedSelection& surface, const MeasuredVolume& volu
 
 std::string why_empty(const std::string& path, const VolumeArguments& arguments,
                       const NamedSelection& surface, const MeasuredVolume& volume, bool is_full) {
-  return name_for_people(path) + ": " + reason(arguments, surface, volume, is_full) +
+  return display_name(path) + ": " + reason(arguments, surface, volume, is_full) +
          value_hint(surface, volume);
 }
 

@@ -54,7 +54,7 @@ ChosenLabels chosen_labels(const ExtractArguments& arguments, const LabelNames& 
   try {
     labels = names.each(arguments.labels);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(name_for_people(arguments.volume) + ": " + error.what());
+    throw std::invalid_argument(display_name(arguments.volume) + ": " + error.what());
   }
   for (const NamedLabels& each : labels)
     for (const auto& [layer, values] : each.set) {
@@ -106,7 +106,7 @@ std::vector<FoundLabel> surfaces_of(VolumeReader& volume, const ExtractArguments
     return deviation ? smoothed_labels_of(volume, options, *deviation, arguments.mesh.tolerance)
                      : extracted_labels(volume, options);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(name_for_people(arguments.volume) + ": " + error.what());
+    throw std::invalid_argument(display_name(arguments.volume) + ": " + error.what());
   }
 }
 
@@ -121,7 +121,7 @@ void check_missing(const ExtractArguments& arguments, const std::vector<std::str
   std::string text = "no voxel has";
   for (const std::string& label : missing) text += (label == missing[0] ? " " : ", ") + label;
   if (arguments.labels != "all" && !arguments.reading.allows_empty)
-    throw std::runtime_error(name_for_people(arguments.volume) + ": " + text +
+    throw std::runtime_error(display_name(arguments.volume) + ": " + text +
                              "; leave out these labels, or give --allow-empty");
   print_message(arguments.volume, text);
 }
@@ -201,7 +201,7 @@ std::vector<FoundLabel> labels_with_voxels(const ExtractArguments& arguments,
                                            Segmentation& segmentation) {
   std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
   if (labels.empty() && !arguments.reading.allows_empty)
-    throw std::runtime_error(name_for_people(arguments.volume) + ": the volume holds no label" +
+    throw std::runtime_error(display_name(arguments.volume) + ": the volume holds no label" +
                              (arguments.reading.mask.empty() ? "" : " within --mask") +
                              "; check --frame and --channel, or give --allow-empty");
   const bool has_name = std::any_of(labels.begin(), labels.end(), [](const FoundLabel& label) {
@@ -228,7 +228,7 @@ std::vector<FileMesh> label_meshes(const ExtractArguments& arguments) {
   std::vector<FileMesh> meshes;
   for (FoundLabel& each : labels_with_voxels(arguments, segmentation)) {
     Surface& surface = each.surface.surface;
-    keep_chosen(name_for_people(arguments.volume) + ": " + title(each.name), arguments.components,
+    keep_chosen(display_name(arguments.volume) + ": " + title(each.name), arguments.components,
                 surface);
     FileMesh mesh = triangulated(surface, arguments.mesh);
     if (arguments.normals == Normals::surface) mesh.normals = surface_normals(mesh);
@@ -246,7 +246,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   files.set_placement(
       mesh_placement(arguments.volume, segmentation.info().placement, arguments.space));
   std::vector<FoundLabel> labels = labels_with_voxels(arguments, segmentation);
-  const std::string volume = name_for_people(arguments.volume);
+  const std::string volume = display_name(arguments.volume);
 
   std::vector<NamedSelection> selections;
   selections.reserve(labels.size());
@@ -286,7 +286,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
       });
   if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
     throw std::runtime_error(
-        volume + ": no label has a surface left, so " + output_for_people(arguments.output) +
+        volume + ": no label has a surface left, so " + output_display_name(arguments.output) +
         " is not written; check --median, --mask and --min-volume, or give --allow-empty");
   files.finish();
   if (!arguments.is_quiet) require_written(table);

@@ -59,7 +59,7 @@ int extract_meshes(ExtractArguments arguments) {
                                            arguments.reading.border));
     }
     const std::string title =
-        name_for_people(arguments.volume) + (names.size() > 1 ? ": " + selections[i].name : "");
+        display_name(arguments.volume) + (names.size() > 1 ? ": " + selections[i].name : "");
     std::optional<Crossings> relaxed;
     if (arguments.surface == SurfaceKind::relaxed) {
       relaxed.emplace(info.dims, surface.polygons);

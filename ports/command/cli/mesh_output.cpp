@@ -85,7 +85,7 @@ void note_rounding(const std::string& file, const FileMesh& mesh) {
             std::to_string(places) + " places";
   text += "; write " + extensions(&FormatTraits::holds_doubles);
   if (suits_floats(mesh, mesh.vertices_mm[0])) text += ", or give --space voxel";
-  print_message(output_for_people(file), text);
+  print_message(output_display_name(file), text);
 }
 
 void note_left_out(const std::string& input, const Surface& surface,

@@ -153,7 +153,7 @@ int run_render(const RenderArguments& arguments) {
   const Progress drawing("drawing");
   const Picture picture = draw(mesh, options);
   if (!picture.shows_mesh && mesh.face_count() > 0)
-    print_message(output_for_people(arguments.output),
+    print_message(output_display_name(arguments.output),
                   "no part of the surface is in the picture; change --at or --zoom");
   write_picture(picture, file.stream());
   file.commit();

@@ -71,7 +71,7 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
     try {
       labels = segmentation.names().together(each.given);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(name_for_people(path) + ": " + error.what());
+      throw std::invalid_argument(display_name(path) + ": " + error.what());
     }
     each.name = labels.name;
     each.colour = labels.colour;

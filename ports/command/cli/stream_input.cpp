@@ -97,8 +97,7 @@ void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
     throw std::runtime_error(path + ": the stream has no such surface; choose one of " +
                              joined(list_of_surfaces(reader)));
   refuse_other_kinds(path);
-  throw std::runtime_error(name_for_people(path) +
-                           ": there is no header of a discmc stream in its " +
+  throw std::runtime_error(display_name(path) + ": there is no header of a discmc stream in its " +
                            std::to_string(reader.report().bytes) +
                            " bytes, and no known volume; give a .dmc file or a volume, or "
                            "headerless samples with --dims and --type" +

@@ -24,7 +24,7 @@ RuledThreshold found(const std::string& path, const NamedSelection& surface, boo
   try {
     return threshold_by(*surface.rule, is_in_hounsfield, statistics);
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(name_for_people(path) + ": " + error.what());
+    throw std::runtime_error(display_name(path) + ": " + error.what());
   }
 }
 

@@ -105,7 +105,7 @@ bool shows_meshes(const ViewArguments& arguments) {
 }
 
 std::string name_of(const std::string& input) {
-  return input == "-" ? name_for_people(input) : input_name(input);
+  return input == "-" ? display_name(input) : input_name(input);
 }
 
 NamedBytes stream_of_threshold(const ViewArguments& arguments) {

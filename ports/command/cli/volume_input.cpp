@@ -66,7 +66,7 @@ class NotedVolume final : public VolumeFilter {
 
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
-    throw std::runtime_error(name_for_people(path) + ": " + purpose +
+    throw std::runtime_error(display_name(path) + ": " + purpose +
                              ", but this input can be read only once; store it in a file");
 }
 

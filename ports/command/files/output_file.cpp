@@ -133,7 +133,7 @@ bool is_standard_output(const std::filesystem::path& path) {
   return path == "-" || (!path.has_parent_path() && path.stem() == "-" && path.has_extension());
 }
 
-std::string output_for_people(const std::filesystem::path& path) {
+std::string output_display_name(const std::filesystem::path& path) {
   return is_standard_output(path) ? "standard output" : path.string();
 }
 
@@ -204,7 +204,7 @@ std::ostream& OutputFile::stream() {
 
 void OutputFile::commit() {
   const auto require = [this](bool is_done) {
-    if (!is_done) throw std::runtime_error(output_for_people(path_) + ": " + write_failure());
+    if (!is_done) throw std::runtime_error(output_display_name(path_) + ": " + write_failure());
   };
   require(static_cast<bool>(stream().flush()));
   if (is_standard_output()) return;

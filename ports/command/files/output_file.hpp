@@ -16,7 +16,7 @@ void require_folder(const std::filesystem::path& folder);
 bool is_standard_output(const std::filesystem::path& path);
 
 /// Returns the name of an output for messages.
-std::string output_for_people(const std::filesystem::path& path);
+std::string output_display_name(const std::filesystem::path& path);
 
 /// A file that gets its name only by commit(). An earlier failure, or a terminating signal, leaves
 /// no incomplete file. A power failure after commit() loses nothing. Until then the file has a
