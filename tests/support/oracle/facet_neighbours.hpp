@@ -1,6 +1,7 @@
 // Finds the facet on the other side of an edge, by which the paper merges regions.
 #pragma once
 
+#include <array>
 #include <discmc/geometry/facet_table.hpp>
 
 namespace discmc::reference {
@@ -34,6 +35,18 @@ inline Neighbour across_edge(Facet facet, int edge) {
       if (has_edge(facet_rings.ring[other], to - shift, from - shift)) return {cell, other};
     }
   return {{0, 0, 0}, facet};
+}
+
+/// Returns the same from the paper's table of adjacent shapes.
+inline const Neighbour& tabulated_neighbour(Facet facet, int edge) {
+  static const auto table = [] {
+    std::array<std::array<Neighbour, 4>, facet_codes> all{};
+    for (size_t code = 0; code < facet_codes; ++code)
+      for (int i = 0; i < facet_rings.ring[code].count; ++i)
+        all[code][static_cast<size_t>(i)] = across_edge(static_cast<Facet>(code), i);
+    return all;
+  }();
+  return table[facet][static_cast<size_t>(edge)];
 }
 
 }  // namespace discmc::reference

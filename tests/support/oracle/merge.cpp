@@ -53,20 +53,8 @@ UnitLink link_of(const Edge& edge) {
   return {origin + position(ring.point[edge.number]), origin + position(ring.point[next])};
 }
 
-// The results of across_edge(), the paper's table of adjacent shapes.
-using Neighbours = std::array<std::array<Neighbour, 4>, facet_codes>;
-
-Neighbours tabulate_neighbours() {
-  Neighbours neighbours{};
-  for (size_t code = 0; code < facet_codes; ++code)
-    for (int edge = 0; edge < facet_rings.ring[code].count; ++edge)
-      neighbours[code][static_cast<size_t>(edge)] = across_edge(static_cast<Facet>(code), edge);
-  return neighbours;
-}
-
 PlacedFacet neighbour_across(const Edge& edge) {
-  static const Neighbours neighbours = tabulate_neighbours();
-  const Neighbour& neighbour = neighbours[edge.facet.facet][static_cast<size_t>(edge.number)];
+  const Neighbour& neighbour = tabulated_neighbour(edge.facet.facet, edge.number);
   return {edge.facet.cell + neighbour.cell, neighbour.facet};
 }
 

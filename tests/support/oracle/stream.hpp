@@ -23,16 +23,11 @@ using reference::RecordedEvent;
 
 // ---- chance ----
 
-/// Random numbers from a portable generator (SplitMix64).
+/// Random numbers from a portable generator.
 class Chance {
  public:
   explicit Chance(uint64_t seed) : state_(seed) {}
-  uint64_t next() {
-    state_ += 0x9E3779B97F4A7C15;
-    uint64_t mixed = (state_ ^ (state_ >> 30)) * 0xBF58476D1CE4E5B9;
-    mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
-    return mixed ^ (mixed >> 31);
-  }
+  uint64_t next() { return reference::next_random(state_); }
   uint32_t below(uint32_t limit) { return static_cast<uint32_t>(next() % limit); }
   uint8_t byte() { return static_cast<uint8_t>(next()); }
 
@@ -54,14 +49,7 @@ inline Events events_of(const reference::BitVolume& volume, const reference::Pla
 }
 
 inline StreamHeader header_of(const reference::BitVolume& volume, Border border = Border::closed) {
-  StreamHeader header;
-  header.width = volume.width;
-  header.height = volume.height;
-  header.depth = volume.depth;
-  for (int32_t& spacing : header.spacing_nm) spacing = 1000000;
-  header.thresholds[0] = 1;
-  header.border = border;
-  return header;
+  return {volume.width, volume.height, volume.depth, {1000000, 1000000, 1000000}, {1}, border};
 }
 
 /// Returns a small header for streams without a volume.

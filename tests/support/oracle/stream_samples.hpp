@@ -17,56 +17,48 @@ struct Sample {
 class Script {
  public:
   Script& region(Incidence incidence) {
-    Event event = of(Event::Kind::region);
-    event.incidence = incidence;
-    return add(event);
+    return add(Event::Kind::region, [&](Event& event) { event.incidence = incidence; });
   }
   Script& ring(Vertex start, bool is_hole = false) {
-    Event event = of(Event::Kind::ring);
-    event.start = start;
-    event.is_hole = is_hole;
-    return add(event);
+    return add(Event::Kind::ring, [&](Event& event) {
+      event.start = start;
+      event.is_hole = is_hole;
+    });
   }
   Script& run(Run run) {
-    Event event = of(Event::Kind::run);
-    event.run = run;
-    return add(event);
+    return add(Event::Kind::run, [&](Event& event) { event.run = run; });
   }
   Script& run(Direction direction, uint32_t length) {
     return run(Run::straight(direction, length));
   }
   Script& region_end() {
     ++totals_.regions;
-    return add(of(Event::Kind::region_end));
+    return add(Event::Kind::region_end);
   }
   Script& fragment(Incidence incidence, Vertex start, Direction came) {
-    Event event = of(Event::Kind::fragment);
-    event.incidence = incidence;
-    event.start = start;
-    event.incoming_direction = came;
-    return add(event);
+    return add(Event::Kind::fragment, [&](Event& event) {
+      event.incidence = incidence;
+      event.start = start;
+      event.incoming_direction = came;
+    });
   }
   Script& fragment_end() {
     ++totals_.fragments;
-    return add(of(Event::Kind::fragment_end));
+    return add(Event::Kind::fragment_end);
   }
-  Script& lost() { return add(of(Event::Kind::lost)); }
+  Script& lost() { return add(Event::Kind::lost); }
   Script& skipped(uint32_t slice, uint32_t row, bool repeated) {
-    Event event = of(Event::Kind::skipped);
-    event.slice = slice;
-    event.row = row;
-    event.is_repeated = repeated;
-    return add(event);
+    return add(Event::Kind::skipped, [&](Event& event) {
+      event.slice = slice;
+      event.row = row;
+      event.is_repeated = repeated;
+    });
   }
   Script& layer(uint32_t slice) {
-    Event event = of(Event::Kind::layer);
-    event.slice = slice;
-    return add(event);
+    return add(Event::Kind::layer, [&](Event& event) { event.slice = slice; });
   }
   Script& finish() {
-    Event event = of(Event::Kind::finish);
-    event.statistics = &totals_;
-    return add(event);
+    return add(Event::Kind::finish, [&](Event& event) { event.statistics = &totals_; });
   }
   /// Adds a square of this side across z.
   Script& square(Vertex corner, uint32_t side, bool is_hole = false) {
@@ -79,12 +71,12 @@ class Script {
   Events events;
 
  private:
-  static Event of(Event::Kind kind) {
+  template <class Fill = void (*)(Event&)>
+  Script& add(
+      Event::Kind kind, Fill fill = [](Event&) {}) {
     Event event{};
     event.kind = kind;
-    return event;
-  }
-  Script& add(const Event& event) {
+    fill(event);
     events.emplace_back(event);
     return *this;
   }

@@ -1,17 +1,11 @@
 #include "surface.hpp"
 
-#include <array>
-
 #include "facet_neighbours.hpp"
 
 namespace discmc::reference {
 
-// The finalizer of splitmix64 (Steele, Lea, Flood 2014).
 uint64_t mix(uint64_t value) {
-  value += 0x9E3779B97F4A7C15;
-  value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9;
-  value = (value ^ (value >> 27)) * 0x94D049BB133111EB;
-  return value ^ (value >> 31);
+  return next_random(value);
 }
 
 // The middle of a unit link in quarter-steps also determines its axis, except for its sign.
@@ -107,7 +101,7 @@ class FacetForest {
   void join_neighbours(uint32_t i) {
     const Placed facet = facets_[i];
     for (int edge = 0; edge < facet_rings.ring[facet.facet].count; ++edge) {
-      const Neighbour& neighbour = neighbours()[facet.facet][static_cast<size_t>(edge)];
+      const Neighbour& neighbour = tabulated_neighbour(facet.facet, edge);
       const Vertex cell = facet.cell + neighbour.cell;
       const uint32_t other = contains(cell) ? number_[place(cell, neighbour.facet)] : 0;
       if (other != 0) parent_[root(other - 1)] = root(i);
@@ -122,19 +116,6 @@ class FacetForest {
       links += link_hash(origin + position(points.point[p]),
                          origin + position(points.point[p + 1 < points.count ? p + 1 : 0]));
     return of_incidence(links, incidence_of(facet.facet));
-  }
-
-  using Neighbours = std::array<std::array<Neighbour, 4>, facet_codes>;
-
-  static const Neighbours& neighbours() {
-    static const Neighbours table = [] {
-      Neighbours result{};
-      for (size_t code = 0; code < facet_codes; ++code)
-        for (int edge = 0; edge < facet_rings.ring[code].count; ++edge)
-          result[code][static_cast<size_t>(edge)] = across_edge(static_cast<Facet>(code), edge);
-      return result;
-    }();
-    return table;
   }
 
   size_t columns_, rows_;

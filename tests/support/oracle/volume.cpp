@@ -11,15 +11,6 @@ int64_t square(int64_t value) {
   return value * value;
 }
 
-// splitmix64 (Steele, Lea, Flood 2014): short and portable.
-uint64_t next_random(uint64_t& state) {
-  state += 0x9E3779B97F4A7C15;
-  uint64_t mixed = state;
-  mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9;
-  mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
-  return mixed ^ (mixed >> 31);
-}
-
 }  // namespace
 
 BitVolume ball(Size size, Vertex centre, int64_t radius_squared) {

@@ -10,6 +10,14 @@
 
 namespace discmc::reference {
 
+/// Returns the next number of a portable generator: splitmix64 (Steele, Lea, Flood 2014).
+inline uint64_t next_random(uint64_t& state) {
+  state += 0x9E3779B97F4A7C15;
+  const uint64_t mixed = (state ^ (state >> 30)) * 0xBF58476D1CE4E5B9;
+  const uint64_t twice = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
+  return twice ^ (twice >> 31);
+}
+
 /// Units: voxels.
 struct Size {
   uint32_t width, height, depth;

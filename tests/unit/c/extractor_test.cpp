@@ -111,9 +111,13 @@ void compare(const discmc_extractor_kind& kind, discmc_sample_type type,
 
   Scan later(kind, bytes, log);
   CHECK(discmc_extractor_restore(&later.extractor, &later.config) == DISCMC_BAD_CHECKPOINT);
-  std::copy_n(static_cast<uint8_t*>(part.data), part.bytes,
-              static_cast<uint8_t*>(later.config.memory.data));
+  auto* const copy = static_cast<uint8_t*>(later.config.memory.data);
+  std::copy_n(static_cast<uint8_t*>(part.data), part.bytes, copy);
+  auto* const object = copy + (reinterpret_cast<uint8_t*>(scan.extractor) -
+                               static_cast<uint8_t*>(scan.config.memory.data));
+  std::fill(object + sizeof(uint32_t), object + sizeof(KindObject), uint8_t{0});  // its addresses
   REQUIRE(discmc_extractor_restore(&later.extractor, &later.config) == DISCMC_OK);
+  CHECK(later.info().bytes_used == part.bytes);
   std::fill_n(static_cast<uint8_t*>(part.data), bytes, uint8_t{0xFF});
   CHECK(later.info().slices == 60 / height);
   CHECK(later.info().rows == 60 % height);
@@ -183,6 +187,27 @@ TEST_CASE("a slab in C delivers the events of a slab in C++") {
                                     {scan.info().slots, scan.info().holes}, expected);
   CHECK(log.events == expected.events);
   CHECK(scan.info().slices == depth);
+}
+
+TEST_CASE("an object in C is aligned in memory at any address") {
+  EventLog log;
+  Scan scan(discmc_plain_u8, 20000, log);
+  auto* const data = static_cast<uint8_t*>(scan.config.memory.data);
+  for (size_t offset = 0; offset < object_alignment; ++offset) {
+    scan.config.memory = {data + offset, 20000 - offset};
+    scan.start();
+    const auto* const object = reinterpret_cast<uint8_t*>(scan.extractor);
+    CHECK(reinterpret_cast<uintptr_t>(object) % object_alignment == 0);
+    CHECK((object >= data + offset && object < data + offset + object_alignment));
+  }
+}
+
+TEST_CASE("an extractor in C with explicit slots has a hole for every 16 of them") {
+  EventLog log;
+  Scan scan(discmc_plain_u8, 20000, log, 165);
+  scan.start();
+  CHECK(scan.info().slots == 165);
+  CHECK(scan.info().holes == 165 / 16);
 }
 
 TEST_CASE("samples may be strided, and end anywhere") {
@@ -261,9 +286,12 @@ TEST_CASE("invalid calls of extractors in C return their status") {
   CHECK(status_of([](Config& c) { c.memory.bytes = discmc_extractor_bytes(&c); }) == DISCMC_OK);
 
   for (const uint8_t other :
-       {uint8_t{DISCMC_BITS}, uint8_t{DISCMC_U16}, uint8_t{DISCMC_I16}, uint8_t{4}})
-    CHECK(discmc_extractor_push(scan.extractor, other, samples, width, 1).status ==
-          DISCMC_BAD_SAMPLES);
+       {uint8_t{DISCMC_BITS}, uint8_t{DISCMC_U16}, uint8_t{DISCMC_I16}, uint8_t{4}}) {
+    const discmc_push_result result =
+        discmc_extractor_push(scan.extractor, other, samples, width, 1);
+    CHECK(result.status == DISCMC_BAD_SAMPLES);
+    CHECK(result.accepted == 0);
+  }
   CHECK(discmc_extractor_push(scan.extractor, DISCMC_U8, samples, 5, 1).status == DISCMC_OK);
   CHECK(discmc_extractor_skip_row(scan.extractor, DISCMC_SUBSTITUTE_OFF).status ==
         DISCMC_ROW_IN_PROGRESS);

@@ -60,6 +60,18 @@ struct Keeper {
   Status status;
 };
 
+/// Calls check(flash, store, kind) for each kind of memory. Checks that the rules of its use hold.
+template <class Check>
+void for_each_memory(Check check) {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    SimulatedFlash flash(memory.geometry, 1, memory.kind);
+    Keeper keeper(flash);
+    check(flash, keeper, memory);
+    CHECK_FALSE(flash.has_broken_rules);
+  }
+}
+
 /// The saved parts: three, of which the last grows.
 class Contents {
  public:
@@ -142,10 +154,7 @@ void put_slot(uint8_t* bytes, uint32_t sequence, Contents contents,
 }  // namespace
 
 TEST_CASE("the newest of any number of checkpoints is read back") {
-  for (const Memories& memory : memories) {
-    CAPTURE(memory.name);
-    SimulatedFlash flash(memory.geometry, 1, memory.kind);
-    Keeper keeper(flash);
+  for_each_memory([&](SimulatedFlash& flash, Keeper& keeper, const Memories&) {
     REQUIRE(keeper.status == Status::ok);
     CHECK_FALSE(keeper.store.has_checkpoint());
     CHECK(keeper.store.bytes() == 0);
@@ -156,8 +165,7 @@ TEST_CASE("the newest of any number of checkpoints is read back") {
       CHECK(Contents::of(keeper) == Contents(number));
       CHECK(number_found(flash, 20) == number);
     }
-    CHECK_FALSE(flash.has_broken_rules);
-  }
+  });
 }
 
 TEST_CASE("a flash that is erased, full of zeros or random has no checkpoint") {
@@ -246,10 +254,7 @@ TEST_CASE("a flipped bit in one checkpoint leaves the other readable") {
 }
 
 TEST_CASE("each call erases one block or programs one unit") {
-  for (const Memories& memory : memories) {
-    CAPTURE(memory.name);
-    SimulatedFlash flash(memory.geometry, 1, memory.kind);
-    Keeper keeper(flash);
+  for_each_memory([&](SimulatedFlash& flash, Keeper& keeper, const Memories&) {
     for (uint32_t number = 0; number < 7; ++number) {
       Contents contents(number);
       const auto parts = contents.parts();
@@ -269,7 +274,7 @@ TEST_CASE("each call erases one block or programs one unit") {
       CHECK(keeper.store.resume() == Status::ok);
       CHECK(did() == before + 1);
     }
-  }
+  });
 }
 
 TEST_CASE("only the blocks in use are erased, and all blocks wear equally") {
@@ -297,11 +302,8 @@ TEST_CASE("only the blocks in use are erased, and all blocks wear equally") {
 }
 
 TEST_CASE("blocks erased ahead are not erased again") {
-  for (const Memories& memory : memories) {
-    if (memory.kind == Kind::fram) continue;
-    CAPTURE(memory.name);
-    SimulatedFlash flash(memory.geometry);
-    Keeper keeper(flash);
+  for_each_memory([&](SimulatedFlash& flash, Keeper& keeper, const Memories& memory) {
+    if (memory.kind == Kind::fram) return;
     const auto erasures = [&flash] {
       return std::accumulate(flash.erasures.begin(), flash.erasures.end(), 0U);
     };
@@ -319,8 +321,7 @@ TEST_CASE("blocks erased ahead are not erased again") {
       REQUIRE(save(keeper, number) == Status::ok);
       CHECK(erasures() == before + blocks);
     }
-    CHECK_FALSE(flash.has_broken_rules);
-  }
+  });
 }
 
 TEST_CASE("blocks wear equally when every checkpoint follows a start") {
@@ -486,10 +487,7 @@ TEST_CASE("a unit that fails to program is detected, and other blocks are used")
 }
 
 TEST_CASE("an interrupted save preserves the previous checkpoint") {
-  for (const Memories& memory : memories) {
-    CAPTURE(memory.name);
-    SimulatedFlash flash(memory.geometry, 1, memory.kind);
-    Keeper keeper(flash);
+  for_each_memory([&](SimulatedFlash& flash, Keeper& keeper, const Memories&) {
     REQUIRE(save(keeper, 0) == Status::ok);
     for (uint32_t steps = 0; steps < 4; ++steps) {
       CAPTURE(steps);
@@ -506,8 +504,7 @@ TEST_CASE("an interrupted save preserves the previous checkpoint") {
     }
     REQUIRE(save(keeper, 2) == Status::ok);
     CHECK(number_found(flash, 3) == 2);
-    CHECK_FALSE(flash.has_broken_rules);
-  }
+  });
 }
 
 TEST_CASE("sequence numbers wrap from the last to 0, and the newest checkpoint is still found") {

@@ -177,10 +177,7 @@ TEST_CASE("save() and restore() of a slice encoder refuse invalid calls with a s
   CHECK(encoder.save(parts) == Status::not_started);
   CHECK(encoder.bytes_used() == 0);
 
-  StreamHeader header;
-  header.width = 999;
-  header.height = 9;
-  header.thresholds[0] = 1;
+  const StreamHeader header{999, 9, 0, {}, {1}};
   constexpr Limits limits{999, 9};
   alignas(4) static uint8_t memory[SliceEncoder::minimum_bytes({limits}) + 1] = {};
   const Memory whole{memory, sizeof memory - 1};

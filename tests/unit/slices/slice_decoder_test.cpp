@@ -78,11 +78,11 @@ class Code {
     surfaces_.next_row();
     return *this;
   }
-  // A run that ends early is coded with the length of a complete one.
-  Code& row_with_a_run_too_long() {
+  // A run that ends early is coded with a length of at least that of a complete one.
+  Code& row_with_a_run_too_long(uint32_t length) {
     writer_.code_bit(surfaces_.note(), false);
     writer_.code_bit(surfaces_[0].model[run_of_a_row], false);
-    writer_.raw_bits(6, size.width);
+    writer_.raw_bits(6, length);
     return *this;
   }
   Bytes end() { return note(RowNote::end).finish(); }
@@ -211,7 +211,8 @@ TEST_CASE("slices that no encoder produces are refused") {
   check_unreadable(SliceBits::key | SliceBits::first, {key(0), Bytes{1, 2, 3}});  // ends too soon
   check_unreadable(
       of_key, {key(0), Code().note(RowNote::repeated).end()});  // repeats a row before the slice
-  check_unreadable(of_key, {key(0), Code().row_with_a_run_too_long().end()});
+  for (const uint32_t length : {size.width, size.width + 1, 63U})
+    check_unreadable(of_key, {key(0), Code().row_with_a_run_too_long(length).end()});
   for (uint32_t note = 3; note < 8; ++note)
     check_unreadable(of_key, {key(0), Code().note(note).end()});  // undefined notes
 }

@@ -145,13 +145,9 @@ struct Scan {
 
 // Rows, some of them missing. Each slice is a key slice.
 std::vector<Bytes> frames_with_skips(const Scan& scan) {
-  StreamHeader header;
-  header.width = scan.width;
-  header.height = 8;
+  StreamHeader header{scan.width, 8, 0, {}, {100, 180}};
   header.channel = 3;
-  header.thresholds[0] = 100;
   header.surface_count = static_cast<uint8_t>(scan.surfaces);
-  header.thresholds[1] = 180;
   Line line;
   StartedSliceEncoder encoder(header, line.output(), 1);
   Chance chance(5);
