@@ -1,14 +1,11 @@
 // The table of containers and sample types in the manual of the command. For every cell there is a
 // file of an independent program (volumes/write_volumes.py), with the same volume.
-#include <filesystem>
 
 #include "command.hpp"
 
 namespace {
 
 using namespace volume_files;
-using command_tests::contains;
-using command_tests::contents;
 using discmc::meshing::sample_type_called;
 
 const fs::path folder = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes";
@@ -97,6 +94,6 @@ TEST_CASE("a file of several volumes is refused unless one of them is chosen") {
     INFO(name);
     check_refused(folder / name, "holds 2 volumes, and one is read at a time; choose one");
     check_refused(folder / name, frame(2), "no volume 2: the file holds 2");
-    for (const double sample : read_all(*open_volume(folder / name, frame(0)))) CHECK(sample == 0);
+    for (const double sample : read_samples(folder / name, frame(0))) CHECK(sample == 0);
   }
 }

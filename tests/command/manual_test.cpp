@@ -49,8 +49,7 @@ std::string section_of(const std::string& page, const std::string& command) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop,
-                  "the manual has every option of every help in the section of its command") {
+TEST_CASE_FIXTURE(Workshop, "the manual has every option of the help in its command's section") {
   const std::string page = done("manual");
   const std::string help = done("--help");
   const std::vector<std::string> commands = commands_of(help);

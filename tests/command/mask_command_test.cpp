@@ -1,7 +1,6 @@
 // discmc extract and render with a mask.
 #include "command.hpp"
 #include "oracle/stream.hpp"
-#include "oracle/volume.hpp"
 #include "sampled_field.hpp"
 
 namespace {
@@ -46,8 +45,7 @@ struct Masked : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Masked,
-                  "--labels all with a mask writes the meshes of separate --label options") {
+TEST_CASE_FIXTURE(Masked, "--labels all with a mask writes the meshes of each --label") {
   for (char& sample : samples) sample = static_cast<char>(sample & 3);
   write("v.nrrd", nrrd_of(samples));
   done("extract v.nrrd --labels all --mask m.nrrd -o 'all-{name}.stl'");
@@ -119,15 +117,13 @@ TEST_CASE_FIXTURE(Workshop, "filters do not fill voxels outside the mask") {
   write("m.nrrd", nrrd_of(mask, "12 12 12"));
   const auto lines = [&](const std::string& options) {
     done("extract v.nrrd --iso 100 --median 3 -q -o v.jsonl " + options);
-    const std::string text = read("v.jsonl");
-    return std::count(text.begin(), text.end(), '\n');
+    return lines_in(read("v.jsonl"));
   };
-  constexpr int of_voxel = 8;
+  constexpr std::size_t of_voxel = 8;
   CHECK(lines("--mask m.nrrd") == lines("") + of_voxel);
 }
 
-TEST_CASE_FIXTURE(
-    Workshop, "a mask cuts an interpolated surface flat at its border, and changes nothing else") {
+TEST_CASE_FIXTURE(Workshop, "a mask cuts an interpolated surface flat, and changes nothing else") {
   std::string samples, mask;
   for (const int sample : sampled_field::ball(14, 5.3).samples)
     samples += static_cast<char>(sample);
@@ -135,7 +131,7 @@ TEST_CASE_FIXTURE(
   write("v.nrrd", nrrd_of(samples, "14 14 14"));
   write("m.nrrd", nrrd_of(mask, "14 14 14"));
   done("extract v.nrrd --mask m.nrrd --iso 50 --surface interpolated -q -o v.obj");
-  const FileMesh mesh = mesh_of_obj(read("v.obj"));
+  const FileMesh mesh = mesh_in("v.obj");
   CHECK(check_mesh(mesh).is_closed());
   constexpr double cap = 4.3;  // the top of a ball of radius 5.3
   CHECK(volume_of(mesh) == doctest::Approx(3.14159 * cap * cap * (5.3 - cap / 3)).epsilon(0.05));

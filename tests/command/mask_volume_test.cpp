@@ -13,7 +13,7 @@ using discmc::command::open_mask;
 VolumeInfo volume_of(const VolumeOptions& options = {}, const std::string& lines = "") {
   const Folder folder;
   const auto file = folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + stored(SampleType::u8));
-  return open_volume(file, options)->info();
+  return read_info(file, options);
 }
 
 std::vector<double> mask_of(const std::string& nifti, const VolumeOptions& options = {}) {

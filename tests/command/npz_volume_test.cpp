@@ -4,7 +4,6 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contents;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 const std::string several = files / "npz_arrays/several.npz";

@@ -7,7 +7,6 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contents;
 
 // Packs bytes with one of libarchive's filters.
 std::string packed(const std::string& bytes, int (*add_filter)(archive*)) {
@@ -41,8 +40,7 @@ constexpr Way ways[] = {{"gzip", ".gz", archive_write_add_filter_gzip},
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 
-TEST_CASE_FIXTURE(Folder,
-                  "a volume is unpacked by the ending of its name, and by its first bytes") {
+TEST_CASE_FIXTURE(Folder, "a volume is unpacked by its name's ending and by its first bytes") {
   const std::string nii = Nifti().file(stored(SampleType::u8));
   for (const Way& way : ways) {
     INFO(way.name);
@@ -53,8 +51,7 @@ TEST_CASE_FIXTURE(Folder,
   }
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a compressed file for a library that reads only files is unpacked temporarily") {
+TEST_CASE_FIXTURE(Folder, "for a library that reads only files, a temporary copy is unpacked") {
   const std::pair<const char*, const char*> cases[] = {{"hdf5/u8-little.h5", "HDF5, /volume, raw"},
                                                        {"npz/u8-little.npz", "NumPy, npz"}};
   for (const auto& each : cases)
@@ -69,7 +66,7 @@ TEST_CASE_FIXTURE(Folder,
     INFO(name);
     const std::string bytes = packed(contents(files / name), archive_write_add_filter_zstd);
     const fs::path file = write(fs::path(name).filename().string() + ".zst", bytes);
-    CHECK(read_all(*open_volume(file)) == read_all(*open_volume(files / name)));
+    CHECK(read_samples(file) == read_samples(files / name));
   }
 }
 

@@ -43,8 +43,7 @@ TEST_CASE_FIXTURE(Volumes, "a volume is drawn like its stream with normals") {
   CHECK(picture("v.nrrd --iso 100 --capacities 20,0 --edges") == outlined);
 }
 
-TEST_CASE_FIXTURE(
-    Volumes, "a file of any name is a volume if a threshold is given, and a stream otherwise") {
+TEST_CASE_FIXTURE(Volumes, "any file is a volume if a threshold is given, else a stream") {
   shell("cp v.raw samples; cp v.nrrd headed; cp v.dmc stream");
   const std::string expected = picture("v.dmc");
   CHECK(picture("samples --iso 100" + raw_layout) == expected);

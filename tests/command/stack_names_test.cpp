@@ -4,7 +4,6 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contents;
 
 // Pictures of 8 by 6 voxels, by their names.
 class Pictures : public Folder {
@@ -17,7 +16,7 @@ class Pictures : public Folder {
 };
 
 std::uint32_t slices(const fs::path& stack) {
-  return open_volume(stack)->info().dims[2];
+  return read_info(stack).dims[2];
 }
 
 // The last text in quotes.
@@ -152,9 +151,9 @@ TEST_CASE("numbers beside a point are counters if they are no even decimals") {
         {"2021.03.01.png", "2021.03.02.png", "2021.03.03.png"},
         {"2021-03-01.png", "2021-03-02.png", "2021-03-03.png"}}) {
     const Pictures pictures(names);
-    const auto reader = open_volume(pictures.path());
-    CHECK(reader->info().dims[2] == names.size());
-    CHECK(!noted(reader->info(), "decimal"));
+    const VolumeInfo info = read_info(pictures.path());
+    CHECK(info.dims[2] == names.size());
+    CHECK(!noted(info, "decimal"));
   }
 }
 

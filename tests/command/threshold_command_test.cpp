@@ -4,15 +4,12 @@
 namespace {
 
 using namespace command_tests;
-using volume_files::nrrd;
 
 // Ten voxels per row: air, tissue, bone.
 std::string head(const std::string& values) {
   std::string samples;
   for (int row = 0; row < 9; ++row) samples += values;
-  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
-              "5 3 3") +
-         "\n" + samples;
+  return volume_files::text_nrrd("short", "5 3 3", samples);
 }
 
 const std::string ct = head("-1000 -1000 40 50 900 ");

@@ -6,8 +6,6 @@ namespace {
 
 using namespace volume_files;
 
-const std::string u8 = stored(SampleType::u8);
-
 std::string vtk(const std::string& lines) {
   return "# vtk DataFile Version 3.0\nof the test\nBINARY\n" + lines;
 }
@@ -28,10 +26,8 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be scalars, colours or a field, and
     check_volume(write("v", vtk(image + "METADATA\nINFORMATION 0\n\n" + array + u8 + "\n")),
                  SampleType::u8, "VTK, raw");
   }
-  const auto info =
-      open_volume(write("v.vtk", vtk(image + "ORIGIN 7 8 -9\n" + scalars + u8)))->info();
-  REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == Vector{7, 8, -9});
+  const auto info = read_info(write("v.vtk", vtk(image + "ORIGIN 7 8 -9\n" + scalars + u8)));
+  check_origin(info, {7, 8, -9});
 }
 
 TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
@@ -57,13 +53,12 @@ TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars i
       samples += each;
       text += std::to_string(static_cast<unsigned char>(each)) + ' ';
     }
-  VolumeOptions options;
-  options.channel = 1;
+  VolumeOptions options = with(&VolumeOptions::channel, 1);
   for (const std::string& array :
        {std::string("VECTORS v unsigned_char\n"), std::string("COLOR_SCALARS c 3\n"),
         std::string("SCALARS a unsigned_char 3\nLOOKUP_TABLE t\n")}) {
     const auto file = write("v.vtk", vtk(image + "POINT_DATA 60\n" + array + samples));
-    const auto read = read_all(*open_volume(file, options));
+    const auto read = read_samples(file, options);
     REQUIRE(read.size() == voxels);
     for (std::size_t i = 0; i < read.size(); ++i)
       CHECK(read[i] == (static_cast<unsigned char>(u8[i]) ^ 1));
@@ -80,7 +75,7 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be cell data, at the centres betwee
       "SCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
   const auto file = write("v.vtk", vtk(cells + u8));
   check_volume(file, SampleType::u8, "VTK, raw");
-  CHECK(open_volume(file)->info().placement->origin_mm == Vector{7.5, 9, -7.5});
+  CHECK(read_info(file).placement->origin_mm == Vector{7.5, 9, -7.5});
 }
 
 TEST_CASE_FIXTURE(Folder, "unsupported legacy VTK is refused by name") {
@@ -112,8 +107,8 @@ TEST_CASE_FIXTURE(Folder, "an array of NumPy has x along contiguous samples") {
   const auto fortran_file = write("fortran.npy", numpy(fortran) + u8);
   check_volume(c_file, SampleType::u8, "NumPy");
   check_volume(fortran_file, SampleType::u8, "NumPy");
-  CHECK(noted(open_volume(fortran_file)->info(), "read as array[x][y][z]"));
-  CHECK(noted(open_volume(c_file)->info(), "no spacing given"));
+  CHECK(noted(read_info(fortran_file), "read as array[x][y][z]"));
+  CHECK(noted(read_info(c_file), "no spacing given"));
 }
 
 TEST_CASE_FIXTURE(Folder, "unsupported NumPy is refused by name") {
@@ -134,13 +129,9 @@ TEST_CASE_FIXTURE(Folder, "unsupported NumPy is refused by name") {
 TEST_CASE_FIXTURE(Folder, "a project of InVesalius is upside down, and read from files only") {
   const fs::path project = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes" /
                            "invesalius" / "i16-little.inv3";
-  CHECK(open_volume(project)->info().spacing_mm == Spacing{0.5, -0.75, 2});
-  CHECK(noted(open_volume(project)->info(), "y runs backwards"));
-  std::string bytes;
-  {
-    std::ifstream in(project, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(in), {});
-  }
+  CHECK(read_info(project).spacing_mm == Spacing{0.5, -0.75, 2});
+  CHECK(noted(read_info(project), "y runs backwards"));
+  std::string bytes = contents(project);
   check_refused(write("v.inv3", bytes.substr(0, 700)), "no whole file main.plist");
   check_refused(write("v.inv3", "nothing"), "no whole file main.plist");
   const std::size_t type = bytes.find("int16");

@@ -6,7 +6,6 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contains;
 using discmc::command::BlockValue;
 
 struct Read {

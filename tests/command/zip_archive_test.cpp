@@ -2,15 +2,11 @@
 #include <archive.h>
 #include <archive_entry.h>
 
-#include <cstdlib>
-
 #include "command.hpp"
 
 namespace {
 
 using namespace volume_files;
-using command_tests::contains;
-using command_tests::contents;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 
@@ -75,22 +71,22 @@ TEST_CASE_FIXTURE(Folder, "a zip is read like the folder that was packed, for an
   for (const fs::path& packed : {files / "dicom/series", files / "pictures/stack"})
     for (const std::string prefix : {"", "study/a/", "/", "../../"}) {
       INFO(packed.string(), ", prefix ", prefix);
-      const auto unpacked = open_volume(packed);
+      const VolumeInfo unpacked = read_info(packed);
       // Recognised by its name, and by its first bytes.
       for (const std::string name : {"study.ZIP", "study"}) {
         const auto reader = open_volume(write(name, zip(members_of(packed, prefix))));
-        CHECK(reader->info().format == unpacked->info().format + ", zip");
-        CHECK(reader->info().dims == unpacked->info().dims);
-        CHECK(reader->info().placement == unpacked->info().placement);
+        CHECK(reader->info().format == unpacked.format + ", zip");
+        CHECK(reader->info().dims == unpacked.dims);
+        CHECK(reader->info().placement == unpacked.placement);
         CHECK(temporary.folders_of_zips() == 1);
-        CHECK(read_all(*reader) == read_all(*open_volume(packed)));
+        CHECK(read_all(*reader) == read_samples(packed));
       }
     }
   CHECK(temporary.folders_of_zips() == 0);
 }
 
 TEST_CASE("other files in a zip are ignored, and names may be in any language") {
-  const std::size_t slices = open_volume(files / "pictures/stack")->info().dims[2];
+  const std::size_t slices = read_info(files / "pictures/stack").dims[2];
   for (const std::string folder : {"Sch\xC3\xA4"
                                    "del/",
                                    "\xE5\xA4\xB4/\xC3\xA9/", "a\x1B[1m/"}) {
@@ -101,29 +97,28 @@ TEST_CASE("other files in a zip are ignored, and names may be in any language") 
     members.emplace_back(".DS_Store", "layout");
     members.emplace_back("README.txt", "read me");
     const Folder place;
-    CHECK(open_volume(place.write("study.zip", zip(members)))->info().dims[2] == slices);
+    CHECK(read_info(place.write("study.zip", zip(members))).dims[2] == slices);
   }
   Members series = members_of(files / "dicom/series", "s/");
   series.back().first =
       "Sch\xC3\xA4"
       "del";
   const Folder place;
-  CHECK(open_volume(place.write("study.zip", zip(series)))->info().dims[2] == series.size());
+  CHECK(read_info(place.write("study.zip", zip(series))).dims[2] == series.size());
   series.emplace_back("preview.png", "of the first slice");
-  CHECK(noted(open_volume(place.write("with-picture.zip", zip(series)))->info(),
+  CHECK(noted(read_info(place.write("with-picture.zip", zip(series))),
               "such as 'preview.png'; to read them, give a pattern, such as '"));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a pattern selects files in a zip, as the refusal of two stacks advises") {
+TEST_CASE_FIXTURE(Folder, "a pattern selects files in a zip, as the refusal advises") {
   const std::string picture = contents(files / "pictures/u8.png");
   Members members;
   for (const std::string name : {"z0_c0.png", "z0_c1.png", "z1_c0.png", "z1_c1.png", "z2_c0.png"})
     members.emplace_back("scan/" + name, picture);
   const std::string packed = write("scan.zip", zip(members)).string();
   check_refused(packed, "such as '" + packed + "/scan/*_c0.png'");
-  CHECK(open_volume(packed + "/scan/*_c0.png")->info().dims[2] == 3);
-  CHECK(open_volume(packed + "/scan/z0*.png")->info().format == "PNG, zip");
+  CHECK(read_info(packed + "/scan/*_c0.png").dims[2] == 3);
+  CHECK(read_info(packed + "/scan/z0*.png").format == "PNG, zip");
   CHECK_THROWS_AS(open_volume(packed + "/none/*.png"), VolumeError);
   // So is the note about one slice.
   const auto slice = open_volume(packed + "/scan/z2*.png");
