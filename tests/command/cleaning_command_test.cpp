@@ -16,10 +16,13 @@ std::string boxes() {
 
 const std::string extract = "extract v.raw --dims 20,16,12 --type u8 --spacing 1,1,1 --iso 1 ";
 
+struct Boxes : Workshop {
+  Boxes() { write("v.raw", boxes()); }
+};
+
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop, "the largest bodies are kept, in meshes of volumes and of streams") {
-  write("v.raw", boxes());
+TEST_CASE_FIXTURE(Boxes, "the largest bodies are kept, in meshes of volumes and of streams") {
   done(extract + "-o all.jsonl");
   const auto kept = [&](const std::string& options) {
     const auto result = run(extract + options + " --allow-empty -q -o kept.jsonl");
@@ -48,8 +51,7 @@ TEST_CASE_FIXTURE(Workshop, "the largest bodies are kept, in meshes of volumes a
   CHECK(contains(kept("--min-volume 1e9"), "0 of 3"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a median removes specks, in meshes and in both streams") {
-  write("v.raw", boxes());
+TEST_CASE_FIXTURE(Boxes, "a median removes specks, in meshes and in both streams") {
   CHECK(contains(run(extract + "--median 3 --largest 1 -o one.jsonl").error, "1 of 2"));
   done(extract + "--median 3 --largest 2 -o v.jsonl");
   for (const std::string wire : {"regions", "slices"}) {
@@ -59,8 +61,7 @@ TEST_CASE_FIXTURE(Workshop, "a median removes specks, in meshes and in both stre
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "cleaning options that contradict each other are refused") {
-  write("v.raw", boxes());
+TEST_CASE_FIXTURE(Boxes, "cleaning options that contradict each other are refused") {
   fails(extract + "--largest 1 -o v.dmc", 2, {"--largest", "a stream"});
   fails(extract + "--min-volume 1 -o v.dmc", 2, {"--min-volume"});
   fails(extract + "--largest 0 -o v.stl", 2, {"--largest"});
@@ -78,8 +79,7 @@ TEST_CASE_FIXTURE(Workshop, "invalid counts and volumes are refused with the exp
           {"invalid value '" + none + "'; expected cubic millimetres"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "pictures of a volume and of its stream show the bodies kept") {
-  write("v.raw", boxes());
+TEST_CASE_FIXTURE(Boxes, "pictures of a volume and of its stream show the bodies kept") {
   done(extract + "-q -o v.dmc");
   const std::string layout = "v.raw" + extract.substr(extract.find(" --dims"));
   const auto picture = [&](const std::string& input, const std::string& options) {

@@ -117,8 +117,7 @@ TEST_CASE_FIXTURE(Folder, "each accepted compression of TIFF has a fuzz input re
   std::size_t accepted = 0;
   for (const std::uint32_t number : tiff_compressions()) {
     tiff_writer::TiffWriter file;
-    file.page(5, 3, stored(SampleType::u8).substr(0, 15),
-              {{tiff_writer::tag::compression, whole({number})}});
+    file.page(5, 3, u8.substr(0, 15), {{tiff_writer::tag::compression, whole({number})}});
     const std::string refused = refusal_of(write("v.tif", file.bytes()));
     // SGILog of 24 and 32 bits is only for colours, which are not read.
     if (contains(refused, "its compression, number") || number == 34676 || number == 34677)

@@ -63,6 +63,8 @@ class Workshop {
     CHECK(file_names() == before);
   }
 
+  bool has_program(const std::string& name) const { return shell("command -v " + name).code == 0; }
+
   /// The lines of `info` by their keys.
   std::map<std::string, std::string> info_of(const std::string& stream) const {
     std::map<std::string, std::string> values;

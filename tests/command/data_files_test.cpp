@@ -13,7 +13,6 @@ std::string slice(int number) {
   return i16.substr(static_cast<std::size_t>(number) * 30, 30);
 }
 
-// Writes the four slices as a07.raw, a05.raw, a03.raw and a01.raw.
 void write_slices(const Folder& folder) {
   for (int i = 0; i < 4; ++i)
     folder.write("a0" + std::to_string(7 - 2 * i) + ".raw", "header" + slice(i) + "behind");

@@ -279,6 +279,10 @@ inline Dataset frames(const std::string& modality = "CT") {
   return data.samples(volume_values(), 16, true);
 }
 
+struct Dicom : volume_files::Folder {
+  volume_files::fs::path put(const Dataset& data) const { return write("v.dcm", data.file()); }
+};
+
 inline const discmc::meshing::Axes along_axes = {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}};
 
 inline void check_places(const volume_files::VolumeInfo& info, const std::array<double, 3>& origin,

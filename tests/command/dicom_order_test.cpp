@@ -98,7 +98,7 @@ TEST_CASE_FIXTURE(Folder, "a missing slice is found among rounded positions") {
   write_rounded(*this, {0, 1, 2, 3, 5, 6, 7, 8, 9}, 40, 0.625,
                 [](Dataset& data) { data.text(0x00180050, "DS", "0.625"); });
   check_refused(path(), "1 slice is missing between 41.9 mm (IM3) and 43.1 mm");
-  CHECK(read_info(path(), with(&VolumeOptions::allow_gaps, true)).dims[2] == 10);
+  CHECK(read_info(path(), gaps_allowed).dims[2] == 10);
 }
 
 TEST_CASE("uneven positions with more decimals are refused, not treated as rounded") {
@@ -199,9 +199,9 @@ TEST_CASE("a comma in decimals is a point, with a note") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "a text in place of a number is refused by the name of its element") {
+TEST_CASE_FIXTURE(Dicom, "a text in place of a number is refused by the name of its element") {
   Dataset data = slice(0);
-  const auto file = write("v.dcm", data.text(0x00280030, "DS", "0.75;0.5").file());
+  const auto file = put(data.text(0x00280030, "DS", "0.75;0.5"));
   check_refused(file, "an image whose PixelSpacing is '0.75;0.5', which is not a number",
                 "dcmodify -m PixelSpacing=VALUE FILE");
 }
@@ -269,7 +269,7 @@ TEST_CASE("slices that all have one position are read in an order on request") {
   CHECK(!reader->info().placement);
 }
 
-TEST_CASE_FIXTURE(Folder, "a palette of greys gives greys, and one of colours is refused") {
+TEST_CASE_FIXTURE(Dicom, "a palette of greys gives greys, and one of colours is refused") {
   std::vector<std::int64_t> samples;
   std::vector<double> expected;
   std::vector<std::uint64_t> words, low, pairs;
@@ -287,10 +287,10 @@ TEST_CASE_FIXTURE(Folder, "a palette of greys gives greys, and one of colours is
   for (const auto& [table, bits] : tables) {
     for (std::uint32_t colour = 0; colour < 3; ++colour)
       data.whole(0x00281101 + colour, {256, 0, bits}).whole(0x00281201 + colour, table);
-    CHECK(read_samples(write("v.dcm", data.file())) == expected);
+    CHECK(read_samples(put(data)) == expected);
   }
   data.whole(0x00281203, std::vector<std::uint64_t>(128, 0));
-  check_refused(write("v.dcm", data.file()), "a colour image, by its palette");
+  check_refused(put(data), "a colour image, by its palette");
 }
 
 TEST_CASE("slices of MONOCHROME1 and MONOCHROME2 are refused together") {
@@ -350,7 +350,7 @@ TEST_CASE("slices with a UID each are one volume on request") {
 }
 
 TEST_CASE_FIXTURE(Folder, "options of DICOM are refused for other volumes") {
-  const auto file = write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  const auto file = write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   check_refused(file, ordered(SliceOrder::name), "leave out --order");
   check_refused(file, with(&VolumeOptions::merges_series, true), "leave out --merge-series");
 }
@@ -431,10 +431,10 @@ TEST_CASE("files whose names begin with a dot are ignored") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "padding is reported as a value, with sign or without") {
+TEST_CASE_FIXTURE(Dicom, "padding is reported as a value, with sign or without") {
   const auto told = [&](Dataset data) {
     data.text(0x00281052, "DS", "-1024").text(0x00281053, "DS", "2");
-    return read_info(write("v.dcm", data.file())).padding;
+    return read_info(put(data)).padding;
   };
   CHECK(!told(frames()));
   Dataset data = frames();

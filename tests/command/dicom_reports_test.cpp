@@ -11,7 +11,6 @@ using namespace volume_files;
 constexpr std::uint32_t patient_id = 0x00100020, study = 0x0020000d,
                         frame_of_reference = 0x00200052, pixel_spacing = 0x00280030;
 
-// All slices, changed by `change(data, z)`.
 template <class Change>
 void write_slices(const Folder& folder, const std::string& prefix, Change change) {
   for (int z = 0; z < depth; ++z) {
@@ -66,19 +65,18 @@ TEST_CASE_FIXTURE(Folder, "stacks acquired in turn are one volume, stacks side b
                 "2 slices of 8 x 6, 'MR', stack '1', at 147.5 to 150 mm");
 }
 
-TEST_CASE_FIXTURE(Folder, "labels and controls of spin labelling are volumes") {
-  const auto file =
-      write("a.dcm", enhanced(2 * depth, [](Dataset& group, int i) {
-                       Dataset labelling;
-                       labelling.text(0x00189257, "CS", i < depth ? "LABEL" : "CONTROL");
-                       place_frame(group, i % depth).sequence(0x00189251, {labelling});
-                       return slice_values(i % depth);
-                     }).file());
+TEST_CASE_FIXTURE(Dicom, "labels and controls of spin labelling are volumes") {
+  const auto file = put(enhanced(2 * depth, [](Dataset& group, int i) {
+    Dataset labelling;
+    labelling.text(0x00189257, "CS", i < depth ? "LABEL" : "CONTROL");
+    place_frame(group, i % depth).sequence(0x00189251, {labelling});
+    return slice_values(i % depth);
+  }));
   check_refused(file, "label or control 'CONTROL'");
   CHECK(read_samples(file, {{}, {}, "2"}) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "volumes of ultrasound lie in their own space, in either direction") {
+TEST_CASE_FIXTURE(Dicom, "volumes of ultrasound lie in their own space, in either direction") {
   Dataset data = enhanced(depth, [](Dataset& group, int i) {
     Dataset place, orientation;
     place.real(0x00209301, {0, 0, 2.5 * (depth - 1 - i)});
@@ -86,27 +84,27 @@ TEST_CASE_FIXTURE(Folder, "volumes of ultrasound lie in their own space, in eith
     group.sequence(0x0020930e, {place}).sequence(0x0020930f, {orientation});
     return slice_values(depth - 1 - i);
   });
-  const auto reader = open_volume(write("a.dcm", data.file()));
+  const auto reader = open_volume(put(data));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK_FALSE(noted(reader->info(), "no positions"));
   CHECK((!reader->info().placement || reader->info().placement->space == Space::scanner));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "MOSAIC in the image type is no mosaic where frames have positions") {
+TEST_CASE_FIXTURE(Dicom, "MOSAIC in the image type is no mosaic where frames have positions") {
   Dataset data = enhanced(depth, [](Dataset& group, int z) {
     place_frame(group, z);
     return slice_values(z);
   });
   data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC");
-  CHECK(read_samples(write("a.dcm", data.file())) == as_read(volume_values()));
+  CHECK(read_samples(put(data)) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "equal frames in one place are slices by their thickness") {
-  const auto reader = open_volume(write("a.dcm", enhanced(depth, [](Dataset& group, int z) {
-                                                   place_frame(group, 0);
-                                                   return slice_values(z);
-                                                 }).file()));
+TEST_CASE_FIXTURE(Dicom, "equal frames in one place are slices by their thickness") {
+  const auto reader = open_volume(put(enhanced(depth, [](Dataset& group, int z) {
+    place_frame(group, 0);
+    return slice_values(z);
+  })));
   CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
@@ -164,21 +162,19 @@ TEST_CASE_FIXTURE(Folder, "content that contradicts its transfer syntax is read 
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "contours are refused with the program that converts them to masks") {
+TEST_CASE_FIXTURE(Dicom, "contours are refused with the program that converts them to masks") {
   Dataset liver, data;
   liver.text(0x30060026, "LO", "Liver");
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.481.3").text(0x00080060, "CS", "RTSTRUCT");
   data.sequence(0x30060020, {liver});
-  check_refused(write("a.dcm", data.file()), "this is an RTSTRUCT, the contours 'Liver'",
-                "dcmrtstruct2nii");
+  check_refused(put(data), "this is an RTSTRUCT, the contours 'Liver'", "dcmrtstruct2nii");
 }
 
-TEST_CASE_FIXTURE(Folder, "a document in DICOM is refused with the command that extracts it") {
+TEST_CASE_FIXTURE(Dicom, "a document in DICOM is refused with the command that extracts it") {
   Dataset data;
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.104.3").text(0x00080060, "CS", "M3D");
   data.text(0x00420012, "LO", "model/stl").bytes(0x00420011, "OB", "solid");
-  check_refused(write("a.dcm", data.file()),
-                "this is a document in a DICOM file ('model/stl'); it is not a volume",
+  check_refused(put(data), "this is a document in a DICOM file ('model/stl'); it is not a volume",
                 "EncapsulatedDocument");
 }
 
@@ -210,7 +206,7 @@ TEST_CASE_FIXTURE(
     check_refused(write("y.dcm", data.file()), "the file holds 3 channels ('Y', 'Cb', 'Cr')");
     fs::remove(path() / "y.dcm");
     for (const std::uint32_t channel : {0U, 2U}) {
-      const auto values = read_samples(file, with(&VolumeOptions::channel, channel));
+      const auto values = read_samples(file, of_channel(channel));
       REQUIRE(values.size() == depth * count);
       for (std::size_t i = 0; i < values.size(); ++i)
         REQUIRE(values[i] == static_cast<double>((7 * i + 50 * channel) % 256));

@@ -80,22 +80,20 @@ std::string name_of(const VolumeInfo& info, int value, std::uint32_t layer = 0) 
   return "";
 }
 
-struct Segments : Folder {
+struct Segments : Dicom {
   // All frames are those of segment 3.
   fs::path write_rib(const std::vector<SegmentFrame>& frames,
                      const SegmentSlices& slices = {}) const {
-    return write("v.dcm", segmentation("BINARY", {segment(3, "Rib")}, frames, slices).file());
+    return put(segmentation("BINARY", {segment(3, "Rib")}, frames, slices));
   }
 };
 
 const std::vector<Dataset> liver_and_spleen = {segment(1, "Liver"), segment(2, "Spleen")};
 
-TEST_CASE_FIXTURE(Folder, "bits of segments are one volume of their numbers, with their names") {
-  const auto file = write(
-      "v.dcm",
+TEST_CASE_FIXTURE(Dicom, "bits of segments are one volume of their numbers, with their names") {
+  const auto file = put(
       segmentation("BINARY", liver_and_spleen,
-                   {{2, 1, box(5, 6, 0, 5)}, {1, 0, box(0, 2, 1, 2)}, {1, 1, box(0, 3, 1, 4)}})
-          .file());
+                   {{2, 1, box(5, 6, 0, 5)}, {1, 0, box(0, 2, 1, 2)}, {1, 1, box(0, 3, 1, 4)}}));
   const auto reader = open_volume(file);
   const VolumeInfo& info = reader->info();
   CHECK(info.dims == Dims{width, height, 2});
@@ -157,14 +155,12 @@ TEST_CASE_FIXTURE(Folder, "frames of bits begin within a byte") {
     CHECK(read_samples(write("v.dcm", data.file(order))) == expected);
 }
 
-TEST_CASE_FIXTURE(Folder, "segments that overlap are in several volumes, each with its names") {
-  const auto file = write(
-      "v.dcm",
+TEST_CASE_FIXTURE(Dicom, "segments that overlap are in several volumes, each with its names") {
+  const auto file = put(
       segmentation("BINARY", {segment(1, "Liver"), segment(2, "Tumour"), segment(5, "Rib")},
-                   {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}, {5, 0, box(7, 7, 0, 0)}})
-          .file());
+                   {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}, {5, 0, box(7, 7, 0, 0)}}));
   check_refused(file, "2 volumes");
-  VolumeOptions options = with(&VolumeOptions::frame, 0);
+  VolumeOptions options = of_frame(0);
   auto reader = open_volume(file, options);
   CHECK(reader->info().frames == 2);
   Voxels first = box(0, 3, 0, 3);
@@ -178,12 +174,12 @@ TEST_CASE_FIXTURE(Folder, "segments that overlap are in several volumes, each wi
   CHECK(read_all(*reader) == slices_of({box(2, 5, 2, 5, 2)}));
 }
 
-TEST_CASE_FIXTURE(Folder, "segments overlap even if the file states that none does") {
+TEST_CASE_FIXTURE(Dicom, "segments overlap even if the file states that none does") {
   const auto volumes = [this](const Voxels& second) {
     Dataset data =
         segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 3, 0, 3)}, {2, 0, second}});
-    const auto file = write("v.dcm", data.text(0x00620013, "CS", "NO").file());
-    return read_info(file, with(&VolumeOptions::frame, 0)).frames;
+    const auto file = put(data.text(0x00620013, "CS", "NO"));
+    return read_info(file, of_frame(0)).frames;
   };
   CHECK(volumes(box(4, 5, 2, 5)) == 1);
   CHECK(volumes(box(2, 5, 2, 5)) == 2);
@@ -206,13 +202,13 @@ TEST_CASE("segments that lie beside each other in other slices do not overlap") 
   CHECK(layers.at(4) == 0);
 }
 
-TEST_CASE_FIXTURE(Folder, "voxels belong to a segment from a fraction of a half on") {
+TEST_CASE_FIXTURE(Dicom, "voxels belong to a segment from a fraction of a half on") {
   Voxels fractions(voxels_of_slice, 0);
   fractions[3] = 99;
   fractions[4] = 100;
   fractions[5] = 200;
   Dataset data = segmentation("FRACTIONAL", {segment(1, "Liver")}, {{1, 0, fractions}});
-  const auto reader = open_volume(write("v.dcm", data.whole(0x0062000e, {200}).file()));
+  const auto reader = open_volume(put(data.whole(0x0062000e, {200})));
   CHECK(noted(reader->info(), "a voxel belongs to a segment from a half on"));
   CHECK(name_of(reader->info(), 1) == "Liver");
   Voxels expected(voxels_of_slice, 0);
@@ -220,13 +216,13 @@ TEST_CASE_FIXTURE(Folder, "voxels belong to a segment from a fraction of a half 
   CHECK(read_all(*reader) == slices_of({expected}));
 }
 
-TEST_CASE_FIXTURE(Folder, "a map of labels is read unchanged, also with a palette") {
+TEST_CASE_FIXTURE(Dicom, "a map of labels is read unchanged, also with a palette") {
   Voxels labels = box(0, 3, 0, 3, 1);
   labels[20] = 2;
   Dataset data =
       segmentation("LABELMAP", liver_and_spleen, {{0, 0, labels}, {0, 2, box(1, 1, 1, 1, 2)}});
   data.text(0x00280004, "CS", "PALETTE COLOR");
-  const auto reader = open_volume(write("v.dcm", data.file()));
+  const auto reader = open_volume(put(data));
   CHECK(name_of(reader->info(), 2) == "Spleen");
   CHECK(read_all(*reader) == slices_of({labels, Voxels(voxels_of_slice, 0), box(1, 1, 1, 1, 2)}));
 }
@@ -243,13 +239,12 @@ TEST_CASE("colours of segments are converted to sRGB") {
   CHECK(srgb_of_cielab({56638, 32897, 42532}) == Srgb{241, 214, 145});
 }
 
-TEST_CASE_FIXTURE(Folder, "a segmentation without positions or with uneven ones is refused") {
+TEST_CASE_FIXTURE(Dicom, "a segmentation without positions or with uneven ones is refused") {
   Dataset unplaced = segmentation("BINARY", {segment(1, "Liver")}, {{1, 0, box(0, 1, 0, 1)}});
-  check_refused(write("v.dcm", unplaced.drop(0x52009229).file()),
-                "a segmentation whose frames have no position");
+  check_refused(put(unplaced.drop(0x52009229)), "a segmentation whose frames have no position");
   Dataset twice = segmentation("BINARY", {segment(1, "Liver")},
                                {{1, 0, box(0, 1, 0, 1)}, {1, 0, box(2, 3, 0, 1)}});
-  check_refused(write("v.dcm", twice.file()), "two frames have the same place and segment");
+  check_refused(put(twice), "two frames have the same place and segment");
 }
 
 TEST_CASE_FIXTURE(Folder, "segmentations beside an image are volumes of their own") {
@@ -260,7 +255,7 @@ TEST_CASE_FIXTURE(Folder, "segmentations beside an image are volumes of their ow
   CHECK(read_info(path(), with(&VolumeOptions::series, "1.2.9")).format == "DICOM segmentation");
 }
 
-TEST_CASE_FIXTURE(Folder, "names of segments are converted to UTF-8 from any character set") {
+TEST_CASE_FIXTURE(Dicom, "names of segments are converted to UTF-8 from any character set") {
   const struct {
     const char *set, *name, *utf8;
   } cases[] = {{"\\ISO 2022 IR 87", "\x1b$B4NB!\x1b(B", "\xe8\x82\x9d\xe8\x87\x93"},
@@ -272,7 +267,7 @@ TEST_CASE_FIXTURE(Folder, "names of segments are converted to UTF-8 from any cha
   for (const auto& each : cases) {
     INFO(each.set);
     Dataset data = segmentation("BINARY", {segment(1, each.name)}, {{1, 0, box(1, 3, 1, 3)}});
-    const VolumeInfo info = read_info(write("a.dcm", data.text(0x00080005, "CS", each.set).file()));
+    const VolumeInfo info = read_info(put(data.text(0x00080005, "CS", each.set)));
     REQUIRE(info.labels.size() == 1);
     CHECK(info.labels[0].name == each.utf8);
   }

@@ -25,13 +25,11 @@ std::string replaced(std::string bytes, const std::string& old, const std::strin
   return bytes.replace(bytes.find(old), old.size(), value);
 }
 
-// The bytes of a slice of the series.
 std::string slice(int z) {
   const char* const names[] = {"IM3", "IM0", "IM4", "IM1", "IM2"};
   return contents(files / "series" / names[z]);
 }
 
-// A folder with a copy of the series.
 class Series : public Folder {
  public:
   Series() {
@@ -230,11 +228,10 @@ TEST_CASE("a missing slice is refused with its place") {
 }
 
 TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, with a note") {
-  const VolumeOptions options = with(&VolumeOptions::allow_gaps, true);
   const Series series;
   series.drop(2);
   series.drop(3);
-  const auto reader = open_volume(series.path(), options);
+  const auto reader = open_volume(series.path(), gaps_allowed);
   CHECK(noted(reader->info(), "2 slices are missing between 102.5 mm (slice2) and 110 mm"));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   const std::vector<double> all = patterned(0, depth);
@@ -245,7 +242,7 @@ TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, 
   CHECK(read_all(*reader) == expected);
   // The gap is too large for lost slices, and could not be filled.
   series.put(4, replaced(slice(4), place(4), "1100000"));
-  check_refused(series.path(), options, "too many to fill");
+  check_refused(series.path(), gaps_allowed, "too many to fill");
 }
 
 TEST_CASE_FIXTURE(Folder, "a frame replaces a missing one in every compression") {
@@ -256,19 +253,18 @@ TEST_CASE_FIXTURE(Folder, "a frame replaces a missing one in every compression")
   for (const std::string name : {"u16.dcm", "u16-rle.dcm", "u16-jpeg.dcm", "u16-j2k.dcm"}) {
     INFO(name);
     const auto file = write(name, replaced(contents(files / name), place(4), "112.500"));
-    CHECK(read_samples(file, with(&VolumeOptions::allow_gaps, true)) == expected);
+    CHECK(read_samples(file, gaps_allowed) == expected);
   }
 }
 
 TEST_CASE("a gap is a whole number of slices, however many are missing") {
-  const VolumeOptions options = with(&VolumeOptions::allow_gaps, true);
   const Series series;
   series.put(4, replaced(slice(4), place(4), "120.000"));
-  CHECK(read_info(series.path(), options).dims[2] == 9);
+  CHECK(read_info(series.path(), gaps_allowed).dims[2] == 9);
   // At 4.92 and 5.04 slices.
   for (const std::string along : {"119.800", "120.100"}) {
     series.put(4, replaced(slice(4), place(4), along));
-    check_refused(series.path(), options, "2.5 mm apart, but 12.");
+    check_refused(series.path(), gaps_allowed, "2.5 mm apart, but 12.", " mm between 107.5 mm (");
   }
 }
 
@@ -306,7 +302,7 @@ TEST_CASE("one of several series is chosen by its number or UID") {
   CHECK(chosen("2") == ones);
   CHECK(chosen(other) == ones);
   check_refused(series.path(), {{}, {}, "3"}, "no series '3'; give one of these with --series:\n");
-  const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   check_refused(nrrd_file, {{}, {}, "1"}, "leave out --series");
 }
 

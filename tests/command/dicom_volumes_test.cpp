@@ -41,7 +41,6 @@ class Volumes : public Folder {
       for (int z = 0; z < depth; ++z) {
         Dataset data = numbered_slice(number, z);
         add(data, number, z);
-        // In arbitrary order.
         write("IM" + std::to_string((7 * z + 3 * number) % 11) + std::to_string(number),
               data.file());
       }
@@ -52,7 +51,7 @@ class Volumes : public Folder {
   }
 
   std::vector<double> read_frame(std::uint32_t frame) const {
-    return read_samples(path(), with(&VolumeOptions::frame, frame));
+    return read_samples(path(), of_frame(frame));
   }
 
   void check_all(int count) const {
@@ -124,7 +123,7 @@ TEST_CASE("times are separated, and chosen by frame or from the list") {
                 "1: 5 slices of 8 x 6, 'CT', temporal position 1, trigger time 0 ms, UID",
                 "3: 5 slices of 8 x 6, 'CT', temporal position 3, trigger time 18 ms, UID");
   volumes.check_all(3);
-  VolumeOptions options = with(&VolumeOptions::frame, 1);
+  VolumeOptions options = of_frame(1);
   CHECK(read_info(volumes.path(), options).frames == 3);
   options.frame = 3;
   check_refused(volumes.path(), options, "there is no volume 3; choose one with --frame 0 to 2");
@@ -137,7 +136,7 @@ TEST_CASE("frames count within the series that is chosen") {
   for (int z = 0; z < depth; ++z)
     volumes.write("other" + std::to_string(z),
                   slice(z, "5." + std::to_string(z)).text(0x0020000e, "UI", "1.2.4").file());
-  VolumeOptions options = with(&VolumeOptions::frame, 1);
+  VolumeOptions options = of_frame(1);
   check_refused(volumes.path(), options, "several volumes; choose one ");
   options.series = "1.2.3";
   const auto reader = open_volume(volumes.path(), options);
@@ -260,14 +259,13 @@ Dataset side_by_side(bool has_times) {
   });
 }
 
-TEST_CASE_FIXTURE(Folder, "times in one file are separated and chosen") {
+TEST_CASE_FIXTURE(Dicom, "times in one file are separated and chosen") {
   for (const bool has_times : {true, false}) {
-    const auto file = write("v.dcm", side_by_side(has_times).file());
+    const auto file = put(side_by_side(has_times));
     check_refused(file, has_times ? "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID"
                                   : "2: 5 slices of 8 x 6, 'MR', number 2 by dimension index, UID");
     for (const int time : {0, 1})
-      CHECK(read_samples(file, with(&VolumeOptions::frame, time)) ==
-            as_read(numbered_values(time)));
+      CHECK(read_samples(file, of_frame(time)) == as_read(numbered_values(time)));
   }
 }
 
@@ -280,11 +278,10 @@ TEST_CASE_FIXTURE(Folder, "files that each hold all slices are separate volumes"
     write("v" + std::to_string(number), data.samples(numbered_values(number), 16, true).file());
   }
   for (const int number : {0, 1})
-    CHECK(read_samples(path(), with(&VolumeOptions::frame, number)) ==
-          as_read(numbered_values(number)));
+    CHECK(read_samples(path(), of_frame(number)) == as_read(numbered_values(number)));
 }
 
-TEST_CASE_FIXTURE(Folder, "time slots of nuclear medicine are volumes") {
+TEST_CASE_FIXTURE(Dicom, "time slots of nuclear medicine are volumes") {
   Dataset detector;
   put_at(detector, position(0));
   Dataset data = frames("NM");
@@ -299,9 +296,9 @@ TEST_CASE_FIXTURE(Folder, "time slots of nuclear medicine are volumes") {
       for (const std::int64_t value : slice_values(z)) samples.push_back(value + 5000 * slot);
     }
   data.text(0x00280008, "IS", "10").whole(0x00540070, slots).whole(0x00540080, slices);
-  const auto file = write("v.dcm", data.samples(samples, 16, true).file());
+  const auto file = put(data.samples(samples, 16, true));
   check_refused(file, "time slot 2");
-  CHECK(read_samples(file, with(&VolumeOptions::frame, 1)) == as_read(numbered_values(1)));
+  CHECK(read_samples(file, of_frame(1)) == as_read(numbered_values(1)));
 }
 
 TEST_CASE_FIXTURE(Workshop, "commands that the list of volumes advises succeed") {

@@ -17,10 +17,13 @@ const std::string ramp = [] {
 const std::string values =
     ", and the values are -1000 to 4900; choose a threshold with discmc info";
 
+struct Ramp : Workshop {
+  Ramp() { write("v.nrrd", ramp); }
+};
+
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop, "an empty surface is an error with the range of values") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "an empty surface is an error with the range of values") {
   write("none.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\0'));
   write("other.stl", "before");
   const auto names = file_names();
@@ -55,22 +58,19 @@ TEST_CASE_FIXTURE(Workshop, "an empty surface is an error with the range of valu
   CHECK(read("other.stl") == "before");
 }
 
-TEST_CASE_FIXTURE(Workshop, "an empty surface among several is reported, and no file is written") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "an empty surface among several is reported, and no file is written") {
   for (const std::string file : {"'{name}.ply'", "v.dmc", "v.dmc --wire slices"})
     fails("extract v.nrrd --iso 100 --iso 7000 --iso 200 -o " + file, 1,
           {"no voxel reaches 7000" + values});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a surface whose bodies are all too small is empty, too") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "a surface whose bodies are all too small is empty, too") {
   const std::string extract = "extract v.nrrd --iso 100 --min-volume 100 -o v.stl";
   fails(extract, 1, {"no body is as large as --min-volume"});
   done(extract + " --allow-empty");
 }
 
-TEST_CASE_FIXTURE(Workshop, "an empty surface of a pipe is a failure, too") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "an empty surface of a pipe is a failure, too") {
   for (const std::string file : {"v.stl", "v.dmc"}) {
     const std::string extract = "cat v.nrrd | \"$discmc\" extract - -o " + file;
     check_failure(shell(extract + " --iso 7000"), 1,
@@ -82,8 +82,7 @@ TEST_CASE_FIXTURE(Workshop, "an empty surface of a pipe is a failure, too") {
   CHECK(file_names() == std::vector<std::string>{"v.nrrd"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a surface equal to the box of the volume is written with a note") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "a surface equal to the box of the volume is written with a note") {
   write("four.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\4'));
   for (const std::string file : {"v.stl", "v.dmc", "v.dmc --wire slices", "v.png"}) {
     INFO(file);
@@ -138,8 +137,7 @@ TEST_CASE_FIXTURE(Workshop, "an empty surface of a volume without numbers is rep
   fails("extract v.nrrd --iso 3 -o v.stl", 1, {"no voxel reaches 3, and no value is finite; "});
 }
 
-TEST_CASE_FIXTURE(Workshop, "pictures and distances of empty surfaces are refused") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "pictures and distances of empty surfaces are refused") {
   done("extract v.nrrd --iso 100 -q -o v.dmc");
   for (const std::string look : {"", " --classic", " --shade smooth"})
     fails("render v.nrrd --iso 7000 -o v.png" + look, 1,
@@ -148,8 +146,7 @@ TEST_CASE_FIXTURE(Workshop, "pictures and distances of empty surfaces are refuse
   CHECK(file_names() == std::vector<std::string>{"v.dmc", "v.nrrd"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a stream without polygons is decoded and drawn with a note") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "a stream without polygons is decoded and drawn with a note") {
   done("extract v.nrrd --iso 7000 --allow-empty -q -o v.dmc");
   for (const std::string command : {"decode v.dmc -o v.stl", "render v.dmc -o v.png"}) {
     const auto empty = run(command);

@@ -57,8 +57,8 @@ TEST_CASE_FIXTURE(Workshop, "files of unsupported formats count as volumes, not 
 
 TEST_CASE_FIXTURE(Folder, "with a layout such files are headerless samples") {
   const VolumeOptions options = with(&VolumeOptions::layout, RawLayout{{5, 3, 4}, SampleType::u8});
-  check_volume(write("a.isq", stored(SampleType::u8)), SampleType::u8, "raw", options);
-  check_volume(write("2dseq", stored(SampleType::u8)), SampleType::u8, "raw", options);
+  check_volume(write("a.isq", u8), "raw", options);
+  check_volume(write("2dseq", u8), "raw", options);
 }
 
 }  // namespace

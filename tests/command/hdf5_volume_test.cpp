@@ -116,7 +116,6 @@ void write_numbers(const Hdf5Handle& object, const char* name, const std::vector
   write_attribute(object, name, H5T_NATIVE_DOUBLE, numbers.size(), numbers.data());
 }
 
-// Maps all its samples to a dataset of another file.
 void write_virtual(const fs::path& file, const char* source) {
   const Hdf5Handle space = space_of({4, 3, 5}), creation = no_creation();
   REQUIRE(H5Pset_virtual(creation.id(), space.id(), source, "volume", space.id()) >= 0);
@@ -149,7 +148,7 @@ TEST_CASE("the only array of three dimensions is the volume") {
 
 TEST_CASE("one of several arrays is chosen by its name behind that of the file") {
   check_refused(several, "holds 3 arrays: /scan/half (5 x 3 x 4), /scan/truth");
-  check_volume(several + ":/scan/u8", SampleType::u8, "HDF5, /scan/u8, raw");
+  check_volume(several + ":/scan/u8", "HDF5, /scan/u8, raw");
   check_volume(several + ":/scan/half", SampleType::f32, "HDF5, /scan/half, raw");
   CHECK(read_info(several + ":/scan/slice").dims == Dims{5, 3, 1});
   for (const double truth : read_samples(several + ":/scan/truth"))
@@ -167,13 +166,12 @@ TEST_CASE("a name in a file that is no array of numbers is refused") {
 
 TEST_CASE_FIXTURE(Folder, "a colon may be part of the name of a file") {
   const fs::path file = write("a:/volume.h5", contents(files / "hdf5/u8-little.h5"));
-  check_volume(file, SampleType::u8, "HDF5, /volume, raw");
-  check_volume(file.string() + ":/volume", SampleType::u8, "HDF5, /volume, raw");
+  check_volume(file, "HDF5, /volume, raw");
+  check_volume(file.string() + ":/volume", "HDF5, /volume, raw");
 }
 
 TEST_CASE_FIXTURE(Folder, "HDF5 is recognized by its first bytes") {
-  check_volume(write("volume", contents(files / "hdf5/u8-little.h5")), SampleType::u8,
-               "HDF5, /volume, raw");
+  check_volume(write("volume", contents(files / "hdf5/u8-little.h5")), "HDF5, /volume, raw");
 }
 
 TEST_CASE("an array that cannot be unpacked or has scales of its own is refused with the remedy") {
@@ -190,7 +188,7 @@ TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that 
     MESSAGE("not run: this Python has no h5py or no hdf5plugin");
     return;
   }
-  workshop.write("volume", stored(SampleType::u8));
+  workshop.write("volume", u8);
   REQUIRE(workshop.shell("bzip2 -c volume > packed").code == 0);
   constexpr H5Z_filter_t bzip2 = 307;
   write_packed(path() / "a.h5", {4, 3, 5}, bzip2, workshop.read("packed"));
@@ -203,8 +201,7 @@ TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that 
   const auto unpacked = workshop.shell("PATH=/usr/bin:$PATH; " + refused.substr(begin));
   INFO(unpacked.error);
   CHECK(unpacked.code == 0);
-  check_volume(write("unpacked.h5", workshop.read("unpacked.h5")), SampleType::u8,
-               "HDF5, /volume, raw");
+  check_volume(write("unpacked.h5", workshop.read("unpacked.h5")), "HDF5, /volume, raw");
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "names of a file in a remedy are quoted, so that a shell runs none") {
@@ -244,8 +241,7 @@ TEST_CASE_FIXTURE(Hdf5File, "LZF of h5py is unpacked, and damaged LZF is refused
 }
 
 TEST_CASE_FIXTURE(Folder, "links to other files are followed, and a linked array counts once") {
-  check_volume(files / "hdf5_arrays/master.h5", SampleType::u8,
-               "HDF5, /entry/data/data_000001, raw");
+  check_volume(files / "hdf5_arrays/master.h5", "HDF5, /entry/data/data_000001, raw");
   write("master.h5", contents(files / "hdf5_arrays/master.h5"));
   check_refused(path() / "master.h5",
                 "its links lead nowhere: /entry/data/data_000001 to data_000001.h5");
@@ -257,7 +253,7 @@ TEST_CASE_FIXTURE(Folder, "links to other files are followed, and a linked array
 
 TEST_CASE("the axis names in attributes of ilastik determine x, y and z") {
   const fs::path file = files / "hdf5_arrays/ilastik.h5";
-  check_volume(file, SampleType::u8, "HDF5, /exported_data, raw");
+  check_volume(file, "HDF5, /exported_data, raw");
   CHECK_FALSE(noted(read_info(file), "dropped"));
 }
 
@@ -270,7 +266,7 @@ TEST_CASE_FIXTURE(Hdf5File, "axes are named in any order, and samples keep their
       write_samples(new_dataset(new_file(file), "volume", {4, 5, 6},
                                 is_chunked ? chunks_of({2, 2, 3}) : no_creation()),
                     samples, H5T_NATIVE_UINT8);
-      const auto reader = open_volume(file, with(&VolumeOptions::axes, axes));
+      const auto reader = open_volume(file, with_axes(axes));
       const auto& dims = reader->info().dims;
       const auto read = read_all(*reader);
       constexpr std::array<std::size_t, 3> sizes{4, 5, 6};
@@ -650,7 +646,7 @@ TEST_CASE_FIXTURE(Folder, "attributes place an image of VTK in HDF5") {
   const VolumeInfo info = read_info(file);
   check_axes(info, {{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}}, {1, 12, -1});
   CHECK_FALSE(noted(info, "the axes are not named"));
-  CHECK(read_info(file, with(&VolumeOptions::axes, "yzx")).placement->axes_mm ==
+  CHECK(read_info(file, with_axes("yzx")).placement->axes_mm ==
         Axes{{{0, 2, 0}, {0, 0, 4}, {-3, 0, 0}}});
 
   const std::vector<double> larger = {0, 5, 0, 3, 0, 4};

@@ -64,10 +64,6 @@ TEST_CASE("pictures of eight bits and less keep their values") {
   CHECK(!noted(greys->info(), "palette"));
 }
 
-VolumeOptions of_channel(std::uint32_t channel) {
-  return with(&VolumeOptions::channel, channel);
-}
-
 TEST_CASE("the option that the refusal advises selects a channel of a colour picture") {
   check_refused(files / "rgb.png",
                 "the file holds 3 channels ('red', 'green', 'blue'), and one is read at a time; "
@@ -127,7 +123,6 @@ TEST_CASE_FIXTURE(Folder, "the EXIF orientation of JPEG turns the picture, or is
   for (std::size_t cut = 7; cut < 30; ++cut) CHECK(!noted(read_info(turned(6, cut)), "row"));
 }
 
-// Inserts a chunk behind the header of a PNG file.
 std::string with_chunk(const std::string& png, const std::string& chunk) {
   const auto big = [](std::uint64_t number) {
     return bytes_of(static_cast<std::uint32_t>(number), true);
@@ -178,15 +173,10 @@ TEST_CASE_FIXTURE(Folder, "a slice of another size or type is refused by its nam
   check_refused(path() / "b*.png", "no file matches the pattern");
 }
 
-VolumeOptions with_gaps_allowed() {
-  return with(&VolumeOptions::allow_gaps, true);
-}
-
 std::string slice(int z) {
   return contents(files / "stack" / ("slice" + std::to_string(z) + ".png"));
 }
 
-// Slices of the stack, by numbers in their names.
 class NumberedStack : public Folder {
  public:
   explicit NumberedStack(const std::vector<int>& numbers) {
@@ -204,7 +194,7 @@ TEST_CASE("a missing number among the names is refused with its place") {
 
 TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a note") {
   const NumberedStack stack({8, 9, 11, 12, 13, 16});
-  const auto reader = open_volume(stack.path(), with_gaps_allowed());
+  const auto reader = open_volume(stack.path(), gaps_allowed);
   CHECK(noted(reader->info(), "3 slices are missing, the largest of 2 gaps between a2_13.png and"));
   CHECK(reader->info().dims[2] == 9);
   const std::vector<double> all = read_all(*reader);
@@ -233,7 +223,7 @@ TEST_CASE("names with even steps, two numbers, or constant numbers have no gaps"
 
 TEST_CASE("more missing than present slices are refused with the largest gap") {
   const NumberedStack stack({1, 2, 3, 5, 900});
-  for (const VolumeOptions& options : {VolumeOptions{}, with_gaps_allowed()})
+  for (const VolumeOptions& options : {VolumeOptions{}, gaps_allowed})
     check_refused(stack.path(), options,
                   "895 slices are missing, the largest of 2 gaps between a2_5.png and a2_900.png, "
                   "which is too many to fill");

@@ -8,9 +8,8 @@ using namespace volume_files;
 
 const std::string directions =
     "space: LPS\nspace directions: (0.5,0,0) (0,2,0) (0,0,3)\nspace origin: (1,2,3)\n";
-const std::string u8_file = nrrd(nrrd_u8 + directions) + "\n" + stored(SampleType::u8);
+const std::string u8_file = nrrd(nrrd_u8 + directions) + "\n" + u8;
 
-// A volume with voxels of two millimetres, as text.
 std::string text_volume(const std::string& type, const std::string& sizes,
                         const std::string& samples) {
   return text_nrrd(type, sizes, samples, "2");
@@ -126,7 +125,7 @@ TEST_CASE_FIXTURE(
     Workshop,
     "a file without a known extension is recognized by its first bytes, else it is a stream") {
   write("v.nrrd", u8_file);
-  write("v.raw", stored(SampleType::u8));
+  write("v.raw", u8);
   done("extract v.nrrd --iso 100 -q -o v.dmc");
   const std::string volume = done("info v.nrrd");
   const std::string stream = done("info v.dmc");

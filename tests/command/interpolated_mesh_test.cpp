@@ -1,6 +1,5 @@
 // Merged polygons with vertices moved to the crossings of the samples.
 #include "command.hpp"
-#include "meshes/mesh.hpp"
 #include "meshes/point_distance.hpp"
 #include "sampled_field.hpp"
 

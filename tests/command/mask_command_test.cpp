@@ -1,6 +1,5 @@
 // discmc extract and render with a mask.
 #include "command.hpp"
-#include "oracle/stream.hpp"
 #include "sampled_field.hpp"
 
 namespace {
@@ -34,7 +33,6 @@ struct Masked : Workshop {
     write("m.nrrd", nrrd_of(mask));
   }
 
-  // The volume with another value in masked voxels.
   std::string with_value(unsigned char value) const {
     std::string result = samples;
     for (std::size_t i = 0; i < voxels; ++i)
@@ -175,13 +173,12 @@ constexpr Vector origin = {10, -20, 30};
 
 std::string nifti_at(const std::array<Vector, 3>& to_next, const Vector& first,
                      const std::array<int, 3>& extents, const std::string& samples) {
-  volume_files::Nifti nifti;
-  nifti.dims({3, extents[0], extents[1], extents[2]}).integer(254, 2, 1);
+  std::vector<float> rows;
   for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t column = 0; column < 4; ++column)
-      nifti.real(280 + 16 * row + 4 * column,
-                 static_cast<float>(column < 3 ? to_next[column][row] : first[row]));
-  return nifti.file(samples);
+    for (const double number : {to_next[0][row], to_next[1][row], to_next[2][row], first[row]})
+      rows.push_back(static_cast<float>(number));
+  volume_files::Nifti nifti;
+  return nifti.dims({3, extents[0], extents[1], extents[2]}).sform(rows).file(samples);
 }
 
 // The same mask, with axis i along axis order[i] of the volume, possibly reversed.

@@ -14,7 +14,6 @@ using discmc::reference::BitVolume;
 using sample_reader::merged_mesh;
 using sample_reader::put_box;
 
-// A block with a cavity, and a smaller block beside it.
 BitVolume two_blocks() {
   BitVolume volume({30, 20, 20});
   put_box(volume, {2, 3, 4}, {13, 14, 15}, 1);
@@ -89,7 +88,6 @@ TEST_CASE_FIXTURE(Workshop, "extract and decode write measures, a line per label
   CHECK(contains(read("decoded.csv"), ",2,1,"));
 }
 
-// The last column of the row with this name.
 static std::string voxels_of(const std::string& rows, const std::string& name) {
   const std::size_t begin = rows.find("\n" + name + ",");
   if (begin == std::string::npos) return {};

@@ -42,7 +42,6 @@ class Stuck : public std::streambuf {
 const Format mesh_formats[] = {Format::stl, Format::ply,      Format::obj,
                                Format::glb, Format::three_mf, Format::vtp};
 
-// As 32-bit floats.
 Point rounded(const Point& point) {
   return {static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2])};
 }

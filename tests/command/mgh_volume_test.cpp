@@ -21,8 +21,8 @@ std::string mgh(std::int32_t type, const std::string& samples, const std::vector
 const std::vector<float> conformed = {0.5F, 0.7F, 2, -1, 0, 0, 0, 0, -1, 0, 1, 0, 10, 20, 30};
 
 TEST_CASE_FIXTURE(Folder, "the header places the centre between the middle voxels") {
-  const auto file = write("a.mgh", mgh(0, stored(SampleType::u8), conformed));
-  check_volume(file, SampleType::u8, "MGH");
+  const auto file = write("a.mgh", mgh(0, u8, conformed));
+  check_volume(file, "MGH");
   const VolumeInfo info = read_info(file);
   REQUIRE(info.placement);
   CHECK(info.placement->space == Space::ras);
@@ -32,7 +32,7 @@ TEST_CASE_FIXTURE(Folder, "the header places the centre between the middle voxel
 }
 
 TEST_CASE_FIXTURE(Folder, "the default place of FreeSurfer replaces a missing one, with a note") {
-  const VolumeInfo info = read_info(write("a.mgh", mgh(0, stored(SampleType::u8), {})));
+  const VolumeInfo info = read_info(write("a.mgh", mgh(0, u8, {})));
   CHECK(noted(info, "no directions given, coronal slices of 1 mm assumed"));
   check_axes(info, {{{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}}, {2.5, -2, 1.5});
 }
@@ -48,11 +48,10 @@ TEST_CASE_FIXTURE(Folder, "samples of u16 are read, and another type is refused"
 TEST_CASE_FIXTURE(Folder, "a frame is chosen, and bytes behind the samples leave no note") {
   const std::string first(60, '\0');
   const std::string tags = "TR and commands";
-  const auto file =
-      write("a.mgz", gzip(mgh(0, first + stored(SampleType::u8) + tags, conformed, 2)));
+  const auto file = write("a.mgz", gzip(mgh(0, first + u8 + tags, conformed, 2)));
   check_refused(file, "holds 2 volumes");
-  const VolumeOptions options = with(&VolumeOptions::frame, 1);
-  check_volume(file, SampleType::u8, "MGH, gzip", options);
+  const VolumeOptions options = of_frame(1);
+  check_volume(file, "MGH, gzip", options);
   const auto reader = open_volume(file, options);
   read_all(*reader);
   CHECK(reader->notes().empty());

@@ -65,9 +65,8 @@ TEST_CASE_FIXTURE(Folder, "small numbers determine the byte order of files witho
 }
 
 TEST_CASE_FIXTURE(Folder, "bytes of IMOD without its flag have no sign, with a note") {
-  const auto file =
-      write("a.mrc", Map().numbers(152, {1146047817, 0}).file(stored(SampleType::u8)));
-  check_volume(file, SampleType::u8, "MRC");
+  const auto file = write("a.mrc", Map().numbers(152, {1146047817, 0}).file(u8));
+  check_volume(file, "MRC");
   CHECK(noted(read_info(file), "bytes are read as u8, as IMOD wrote them"));
   check_volume(write("b.mrc", Map().numbers(152, {1146047817, 1}).file(i8)), SampleType::i8, "MRC");
 }
@@ -134,7 +133,7 @@ TEST_CASE_FIXTURE(Folder, "an extended header is skipped, and one volume of a st
   const Map stack = Map().numbers(8, {8}).numbers(88, {401});
   const auto file = write("a.mrc", stack.file(std::string(60, '\0') + i8));
   check_refused(file, "holds 2 volumes");
-  check_volume(file, SampleType::i8, "MRC", with(&VolumeOptions::frame, 1));
+  check_volume(file, SampleType::i8, "MRC", of_frame(1));
   check_refused(write("a.mrc", Map().numbers(88, {401}).numbers(36, {3}).file(i8)),
                 "a stack of volumes has 4 sections, but a volume 3");
 }

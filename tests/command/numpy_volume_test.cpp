@@ -26,10 +26,6 @@ int sample_of(int x, int y, int z) {
   return 1000 + 100 * z + 10 * y + x;
 }
 
-VolumeOptions with_axes(const std::string& axes) {
-  return with(&VolumeOptions::axes, axes);
-}
-
 void check_places(const fs::path& file, const VolumeOptions& options) {
   const auto reader = open_volume(file, options);
   CHECK(reader->info().dims == Dims{5, 3, 4});
@@ -152,7 +148,7 @@ TEST_CASE_FIXTURE(Folder, "an array with more axes needs a frame or suitable nam
 }
 
 TEST_CASE_FIXTURE(Folder, "--axes is refused for a format with fixed axes") {
-  const auto file = write("a.nii", Nifti().file(stored(SampleType::u8)));
+  const auto file = write("a.nii", Nifti().file(u8));
   check_refused(file, with_axes("zyx"), "--axes applies to arrays and TIFF, and this is NIfTI-1");
 }
 

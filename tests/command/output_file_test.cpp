@@ -37,13 +37,11 @@ class SyncsWatched : public Syncs {
   ~SyncsWatched() { syncs = nullptr; }
 };
 
-// The only file in a folder.
 std::filesystem::path only_file(const std::filesystem::path& folder) {
   REQUIRE(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
   return std::filesystem::directory_iterator(folder)->path();
 }
 
-// The error for a file that cannot be written.
 template <class Write>
 std::string complaint(Write write) {
   try {

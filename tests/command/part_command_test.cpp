@@ -19,7 +19,6 @@ std::vector<std::uint16_t> ball() {
   return {volume.samples.begin(), volume.samples.end()};
 }
 
-// The expected result of --crop on the ball.
 std::vector<std::uint16_t> part() {
   const auto whole = ball();
   std::vector<std::uint16_t> samples;

@@ -5,7 +5,6 @@
 
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "oracle/region.hpp"
 #include "oracle/thinned.hpp"
 #include "sample_reader.hpp"
 #include "surface/growing_joiner.hpp"
@@ -46,7 +45,6 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options) {
   return {extraction, std::move(builder.surface())};
 }
 
-// The regions of a stream.
 Surface streamed(const BitVolume& volume, const ExtractionOptions& options) {
   SampleReader reader(volume);
   std::vector<std::uint8_t> bytes;

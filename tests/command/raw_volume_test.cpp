@@ -72,12 +72,11 @@ TEST_CASE_FIXTURE(Folder, "a known format's first bytes are not read as headerle
 }
 
 TEST_CASE_FIXTURE(Folder, "a file named as a format with a header is no headerless samples") {
-  const std::string u8 = stored(SampleType::u8);
   for (const std::string name : {"v.nrrd", "v.nii.gz", "v.mhd"})
     check_refused(write(name, u8), layout_of(SampleType::u8),
                   "this name has the extension of a format with a header");
   for (const std::string name : {"v.img", "v.raw", "v", "v.dat"})
-    check_volume(write(name, u8), SampleType::u8, "raw", layout_of(SampleType::u8));
+    check_volume(write(name, u8), "raw", layout_of(SampleType::u8));
   VolumeOptions options = layout_of(SampleType::u8);
   options.frame = 1;
   check_refused(write("v.raw", u8), options,

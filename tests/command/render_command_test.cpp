@@ -19,7 +19,6 @@ struct Volumes : Workshop {
     write("v.raw", samples);
     done("extract v.nrrd --iso 100 -o v.dmc");
   }
-  // The picture made by the command.
   std::string picture(const std::string& arguments) const {
     const std::string bytes = done("render " + arguments + small + " -o -");
     CHECK(bytes.substr(1, 3) == "PNG");

@@ -42,8 +42,7 @@ TEST_CASE_FIXTURE(Folder, "samples with a describing text file are read with the
   const auto pcr = write("v.pcr",
                          "[Volume]\nVolume_SizeX=5\nVolume_SizeY=3\nVolume_SizeZ=4\n"
                          "[Geometry]\nVoxelSizeRec = 0,05\n[VolumeData]\nFormat=5\n");
-  std::vector<double> values;
-  for (int i = 0; i < voxels; ++i) values.push_back(sample_at(i, SampleType::u16));
+  const std::vector<double> values = samples_as(SampleType::u16);
   CHECK(read_samples(vgi) == values);
   CHECK(read_info(vgi).spacing_mm == Spacing{2e-3, 3e-3, 4e-3});
   CHECK(read_samples(pcr) == values);
@@ -86,10 +85,11 @@ std::string mask(const std::string& samples) {
 
 // At the same position in space, with x from right to left or from left to right.
 std::string placed_mask(const std::string& samples, bool is_reversed) {
-  Nifti header;
-  header.dims({3, 4, 3, 2}).integer(254, 2, 1);
-  header.real(280, is_reversed ? -1 : 1).real(292, is_reversed ? 3 : 0);
-  return header.real(300, 1).real(320, 1).file(samples);
+  const float along = is_reversed ? -1 : 1, first = is_reversed ? 3 : 0;
+  return Nifti()
+      .dims({3, 4, 3, 2})
+      .sform({along, 0, 0, first, 0, 1, 0, 0, 0, 0, 1, 0})
+      .file(samples);
 }
 
 TEST_CASE_FIXTURE(Folder, "masks whose axes run the other way are turned") {
@@ -127,17 +127,17 @@ TEST_CASE_FIXTURE(Workshop, "masks beside a picture are the volume, and the pict
 }
 
 TEST_CASE_FIXTURE(Folder, "a folder of one volume is that volume, and others are listed") {
-  write("a/b/v.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
+  write("a/b/v.npy", npy("|u1", "4, 3, 5", u8));
   write("a/notes.txt", "...");
   CHECK(read_info(path()).dims == Dims{5, 3, 4});
-  write("a/w.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
+  write("a/w.npy", npy("|u1", "4, 3, 5", u8));
   check_refused(path(), "several volumes in folders: 2, such as ", "a/b/v.npy");
   fs::remove_all(path() / "a");
   write("2dseq", "...");
   check_refused(path(), "the folder holds Bruker ParaVision, '2dseq'; convert it");
   fs::remove(path() / "2dseq");
   write("a/v.hdr", Nifti().pair().header());
-  write("a/v.img", stored(SampleType::u8));
+  write("a/v.img", u8);
   CHECK(read_info(path()).dims == Dims{5, 3, 4});
 }
 
@@ -182,7 +182,7 @@ TEST_CASE_FIXTURE(Folder, "frames that are tracked in different poses are no sli
                      "Seq_Frame0000_ProbeToTrackerTransformStatus = OK\n" +
                      "Seq_Frame0001_ProbeToTrackerTransform = " + second +
                      "\nElementDataFile = LOCAL\n") +
-           stored(SampleType::u8);
+           u8;
   };
   check_refused(write("a.mha", sequence("0.9 0.1 0 0")), "VolumeReconstructor");
   CHECK(read_info(write("b.mha", sequence("1 0 0 0"))).dims[2] == 4);
@@ -195,7 +195,7 @@ TEST_CASE_FIXTURE(Folder, "the fourth dimension of space in NRRD of ITK is time"
                                      "space origin: (5,6,7,0)\n",
                            "2 2 2 2") +
                           "\n" + std::string("abcdefghABCDEFGH"));
-  const auto reader = open_volume(file, with(&VolumeOptions::frame, 1));
+  const auto reader = open_volume(file, of_frame(1));
   check_grid(reader->info(), {2, 3, 4}, {5, 6, 7});
   CHECK(read_all(*reader)[0] == 'A');
 }
@@ -207,7 +207,7 @@ TEST_CASE_FIXTURE(Folder, "the origin of SPM places Analyze, with x from right t
   std::string bytes = header.header();
   bytes.replace(344, 4, 4, '\0');
   write("v.hdr", bytes);
-  const VolumeInfo info = read_info(write("v.img", stored(SampleType::u8)));
+  const VolumeInfo info = read_info(write("v.img", u8));
   REQUIRE(info.placement);
   CHECK(info.placement->space == Space::ras);
   CHECK(info.placement->origin_mm == Spacing{2, -6, 0});
@@ -224,7 +224,7 @@ TEST_CASE_FIXTURE(Workshop, "a single distance holds for all axes") {
 }
 
 TEST_CASE_FIXTURE(Workshop, "a path into a zip names one file of it, and leads nowhere else") {
-  write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   if (shell("mkdir s && cp v.nrrd s/a.nrrd && cp v.nrrd s/b.nrrd && "
             "python3 -m zipfile -c s.mrb s")
           .code != 0)

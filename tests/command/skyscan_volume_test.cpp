@@ -35,11 +35,9 @@ struct Bmp {
   }
 };
 
-// The samples of a slice.
 std::vector<double> samples(const Bmp& bmp, std::optional<std::uint32_t> channel = {}) {
   const Folder folder;
-  return read_all(
-      *open_volume(folder.write("v.bmp", bmp.bytes()), with(&VolumeOptions::channel, channel)));
+  return read_all(*open_volume(folder.write("v.bmp", bmp.bytes()), of_channel(channel)));
 }
 
 TEST_CASE("rows of BMP begin with the lowest, unless its height is negative") {

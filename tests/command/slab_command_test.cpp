@@ -63,7 +63,6 @@ struct Slabs : Workshop {
     CHECK(reader.report().is_complete());
     return hand_made::regions_of(builder.surface());
   }
-  // Their names in one line.
   std::string write_slabs(int count, const std::string& options = {}) const {
     std::string names;
     for (int slab = 1; slab <= count; ++slab) {

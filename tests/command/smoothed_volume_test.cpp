@@ -3,7 +3,6 @@
 
 #include "command.hpp"
 #include "mask_shapes.hpp"
-#include "meshes/mesh.hpp"
 #include "meshes/mesh_edges.hpp"
 #include "sampled_field.hpp"
 #include "smoothing/kept_volumes.hpp"
@@ -23,7 +22,6 @@ Grid grid_of(const BitVolume& volume, const Point& spacing_mm) {
   return {{volume.width, volume.height, volume.depth}, spacing_mm};
 }
 
-// The slices of a mask, in sequence.
 SliceSource slices_of(const BitVolume& volume) {
   const std::size_t slice = std::size_t{volume.width} * volume.height;
   return [&volume, slice, next = std::size_t{0}](float* samples) mutable {

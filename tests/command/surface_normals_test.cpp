@@ -2,7 +2,6 @@
 
 #include "hand_made.hpp"
 #include "oracle/angle.hpp"
-#include "sample_reader.hpp"
 #include "sampled_field.hpp"
 #include "test.hpp"
 

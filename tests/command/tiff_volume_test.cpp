@@ -11,7 +11,7 @@ using namespace volume_files;
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/pictures";
 
 VolumeOptions chosen(std::optional<std::uint32_t> frame, std::optional<std::uint32_t> channel) {
-  VolumeOptions options = with(&VolumeOptions::frame, frame);
+  VolumeOptions options = of_frame(frame);
   options.channel = channel;
   return options;
 }
@@ -46,7 +46,6 @@ struct Tiff : Folder {
   }
 };
 
-// The numbers of the pages that become slices.
 std::vector<int> pages_read(const fs::path& file, const VolumeOptions& options = {}) {
   std::vector<int> pages;
   const std::vector<double> samples = read_samples(file, options);
@@ -341,11 +340,6 @@ TEST_CASE_FIXTURE(Tiff, "the times of a series are not read as slices") {
   CHECK(pages_read(file, chosen(1, {})) == Pages{1});
 }
 
-VolumeOptions with_axes(const std::string& axes, VolumeOptions options = {}) {
-  options.axes = axes;
-  return options;
-}
-
 TEST_CASE_FIXTURE(Tiff, "--axes names the axis of the pages, as the refusal advises") {
   for (const std::string stack : {"channels=4\n", "frames=4\n", "channels=2\nframes=2\n"}) {
     const fs::path file = tiff(4, "ImageJ=1\nimages=4\n" + stack);
@@ -413,7 +407,7 @@ TEST_CASE_FIXTURE(Folder, "files with several slices each are one volume only wi
   write("a/t2.tif", numbered(4, ome(image(four_slices))).bytes());
   check_refused(path() / "a", "2 files, of which 't1.tif' alone has 4 slices",
                 "--axes zyx if their slices are those of one volume");
-  VolumeOptions options = with(&VolumeOptions::axes, "zyx");
+  VolumeOptions options = with_axes("zyx");
   CHECK(read_info(path() / "a", options).dims[2] == 8);
 }
 
@@ -533,7 +527,7 @@ TEST_CASE_FIXTURE(Tiff, "pages of ScanImage are slices only by its metadata or o
   };
   check_refused(write_slices("2"),
                 "its 4 pages are not one slice each: ScanImage also stores channels");
-  CHECK(read_info(write_slices("2"), with(&VolumeOptions::axes, "zyx")).dims[2] == 4);
+  CHECK(read_info(write_slices("2"), with_axes("zyx")).dims[2] == 4);
   CHECK(read_info(write_slices("4")).dims[2] == 4);
 }
 

@@ -32,7 +32,6 @@ std::vector<std::string> words_of(const std::string& text, const std::string& be
   return {};
 }
 
-// The text from a heading to the next one.
 std::string code_of(const std::string& report, const std::string& heading) {
   const std::size_t at = report.find("---- " + heading + " ----\n");
   REQUIRE(at != std::string::npos);

@@ -6,7 +6,6 @@ namespace {
 using namespace command_tests;
 using volume_files::replaced_all;
 
-// The complete message, with the command whose help it names.
 void check_said(const std::string& arguments, const std::string& said,
                 const std::string& command = {}) {
   const Result result = Workshop().run(arguments);

@@ -38,6 +38,17 @@ VolumeOptions with(Member VolumeOptions::*member, const Value& value, VolumeOpti
   return options;
 }
 
+inline VolumeOptions of_frame(std::optional<std::uint32_t> frame) {
+  return with(&VolumeOptions::frame, frame);
+}
+inline VolumeOptions of_channel(std::optional<std::uint32_t> channel) {
+  return with(&VolumeOptions::channel, channel);
+}
+inline VolumeOptions with_axes(const std::string& axes, const VolumeOptions& options = {}) {
+  return with(&VolumeOptions::axes, axes, options);
+}
+inline const VolumeOptions gaps_allowed = with(&VolumeOptions::allow_gaps, true);
+
 inline std::string replaced_all(std::string text, const std::string& old, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
     text.replace(at, old.size(), by);
@@ -219,6 +230,11 @@ class Nifti {
   }
   Nifti& type(int datatype) { return integer(70, 2, datatype); }
   Nifti& scale(float slope, float intercept) { return real(112, slope).real(116, intercept); }
+  // Also declares the rows srow_x, srow_y and srow_z valid.
+  Nifti& sform(const std::vector<float>& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) real(280 + 4 * i, rows[i]);
+    return integer(254, 2, 1);
+  }
   Nifti& pair() {
     bytes_.replace(344, 3, "ni1");
     return real(108, 0);
@@ -281,6 +297,12 @@ inline void check_volume(const fs::path& file, SampleType type, const std::strin
   CHECK(reader->info().type == type);
   CHECK(reader->info().format == format);
   CHECK(read_all(*reader) == samples_as(type));
+}
+
+// Checks the volume of u8.
+inline void check_volume(const fs::path& file, const std::string& format,
+                         const VolumeOptions& options = {}) {
+  check_volume(file, SampleType::u8, format, options);
 }
 
 // Opens and reads a volume that should be refused. Returns the message.

@@ -96,7 +96,7 @@ TEST_CASE_FIXTURE(Folder, "a crop keeps its ranges with their ends, of samples o
 }
 
 TEST_CASE_FIXTURE(Folder, "an omitted end is that of the volume") {
-  const auto file = write("v.raw", stored(SampleType::u8));
+  const auto file = write("v.raw", u8);
   const auto whole = read_samples(file, options_of(SampleType::u8));
   const auto all = open_volume(file, with_crop(options_of(SampleType::u8), Crop{}));
   CHECK(all->info().dims == dims);
@@ -108,7 +108,7 @@ TEST_CASE_FIXTURE(Folder, "an omitted end is that of the volume") {
 }
 
 TEST_CASE_FIXTURE(Folder, "a part outside the volume is refused with the extents of the volume") {
-  const auto file = write("v.raw", stored(SampleType::u8));
+  const auto file = write("v.raw", u8);
   const auto refused = [&](const Crop& crop) {
     return refusal(file, with_crop(options_of(SampleType::u8), crop));
   };
@@ -119,7 +119,7 @@ TEST_CASE_FIXTURE(Folder, "a part outside the volume is refused with the extents
 }
 
 TEST_CASE_FIXTURE(Folder, "slices behind the part are not read") {
-  const std::string cut = nrrd(nrrd_u8) + "\n" + stored(SampleType::u8).substr(0, 46);
+  const std::string cut = nrrd(nrrd_u8) + "\n" + u8.substr(0, 46);
   const auto file = write("v.nrrd", cut);
   CHECK(read_samples(file, with_crop({}, {{{}, {}, {1, 2}}})).size() == 30);
   check_refused(file, with_crop({}, {{{}, {}, {1, 3}}}), "14 bytes of it are missing");
@@ -128,7 +128,7 @@ TEST_CASE_FIXTURE(Folder, "slices behind the part are not read") {
 TEST_CASE_FIXTURE(Folder, "the voxels of a part keep their position in space") {
   for (const std::string& lines : placements) {
     INFO(lines);
-    const auto file = write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + stored(SampleType::u8));
+    const auto file = write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8);
     const VolumeInfo whole = read_info(file);
     check_places(read_info(file, with_crop({}, middle)), whole, {1, 1, 0}, 1);
     check_places(read_info(file, with_crop({}, Crop{})), whole, {0, 0, 0}, 1);
@@ -145,7 +145,7 @@ TEST_CASE_FIXTURE(Folder, "the voxels of a part keep their position in space") {
 TEST_CASE_FIXTURE(Folder, "a given spacing applies to the voxels before shrinking") {
   VolumeOptions options = with_shrink(with_crop(options_of(SampleType::u8), middle), 2);
   options.spacing_mm = {0.5, 2, 3};
-  const auto file = write("v.raw", stored(SampleType::u8));
+  const auto file = write("v.raw", u8);
   VolumeInfo whole;
   whole.spacing_mm = {0.5, 2, 3};
   check_places(read_info(file, options), whole, {1.5, 1.5, 0.5}, 2);
@@ -286,8 +286,7 @@ TEST_CASE_FIXTURE(Folder, "a block has a label of its own voxels, even at the bo
 }
 
 TEST_CASE_FIXTURE(Folder, "voxels that would be too large to place are refused") {
-  const auto file =
-      write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 1 1e6\n") + "\n" + stored(SampleType::u8));
+  const auto file = write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 1 1e6\n") + "\n" + u8);
   check_refused(file, with_shrink({}, 2), "1e6 mm apart; give the distances");
   CHECK(read_info(file, with_crop({}, middle)).dims == Dims{3, 2, 3});
 }

@@ -9,7 +9,6 @@ using namespace volume_files;
 using discmc::meshing::determinant;
 using discmc::meshing::VolumePlacement;
 
-// The headers of files with these lines.
 struct Headers : Folder {
   VolumeInfo nrrd_info(const std::string& lines) const {
     return read_info(write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8));
@@ -26,13 +25,6 @@ struct Headers : Folder {
 // A volume with voxels 0.5, 2 and 3 mm apart.
 Nifti nifti_of_spacing() {
   return Nifti().real(80, 0.5F).real(84, 2).real(88, 3);
-}
-
-// srow_x, srow_y and srow_z, with the code that declares them valid.
-Nifti with_sform(Nifti nifti, const std::vector<float>& rows) {
-  nifti.integer(254, 2, 1);
-  for (std::size_t i = 0; i < rows.size(); ++i) nifti.real(280 + 4 * i, rows[i]);
-  return nifti;
 }
 
 void check_placement(const VolumeInfo& info, Space space, const Vector& origin, const Axes& axes) {
@@ -160,16 +152,16 @@ TEST_CASE_FIXTURE(Headers, "NIfTI's sform is used unchanged, in RAS") {
   // Sheared, with longer axes than in pixdim.
   const std::vector<float> rows = {0.4F, -1, 0.5F, -90, 0.3F, 1.5F, 0, 126.5F, 0, 0.25F, 3, -72};
   const Axes axes{{{0.4, 0.3, 0}, {-1, 1.5, 0.25}, {0.5, 0, 3}}};
-  const VolumeInfo info = nifti_info(with_sform(nifti_of_spacing(), rows));
+  const VolumeInfo info = nifti_info(nifti_of_spacing().sform(rows));
   check_placement(info, Space::ras, {-90, 126.5, -72}, axes);
   CHECK(noted(info, "spacing (0.5, 2, 3) contradicts the axes, whose (0.5, 1.82"));
   CHECK(info.spacing_mm[2] == doctest::Approx(std::hypot(0.5, 0, 3)));
   const VolumeInfo straight =
-      nifti_info(with_sform(nifti_of_spacing(), {0.5F, 0, 0, 1, 0, 2, 0, 2, 0, 0, 3, 3}));
+      nifti_info(nifti_of_spacing().sform({0.5F, 0, 0, 1, 0, 2, 0, 2, 0, 0, 3, 3}));
   check_placement(straight, Space::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
   CHECK(straight.notes.empty());
   // It takes precedence over the qform, and has the units of the header.
-  Nifti both = with_sform(nifti_of_spacing(), rows).integer(252, 2, 1);
+  Nifti both = nifti_of_spacing().sform(rows).integer(252, 2, 1);
   check_placement(nifti_info(both.integer(123, 1, 3)), Space::ras, {-0.09, 0.1265, -0.072},
                   {{{0.0004, 0.0003, 0}, {-0.001, 0.0015, 0.00025}, {0.0005, 0, 0.003}}});
 }
@@ -194,10 +186,10 @@ TEST_CASE_FIXTURE(Headers, "NIfTI's qform replaces a singular sform") {
                                                      {1, 0, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7},
                                                      {infinite, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0}};
   for (const auto& rows : of_no_use) {
-    const VolumeInfo info = nifti_info(with_sform(nifti, rows));
+    const VolumeInfo info = nifti_info(nifti.sform(rows));
     check_placement(info, Space::ras, {7, -8, 9}, {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, 3}}});
     CHECK(info.notes == std::vector<std::string>{"the sform spans no space, and is ignored"});
-    const VolumeInfo neither = nifti_info(with_sform(nifti_of_spacing(), rows));
+    const VolumeInfo neither = nifti_info(nifti_of_spacing().sform(rows));
     CHECK_FALSE(neither.placement);
     CHECK(neither.spacing_mm == Vector{0.5, 2, 3});
     CHECK(noted(neither, "no orientation"));
@@ -206,7 +198,7 @@ TEST_CASE_FIXTURE(Headers, "NIfTI's qform replaces a singular sform") {
 
 TEST_CASE_FIXTURE(Headers, "a qform of NIfTI that is mirrored against the sform is noted") {
   const std::vector<float> sform = {0.5F, 0, 0, 1, 0, 2, 0, 2, 0, 0, 3, 3};
-  const Nifti both = with_sform(nifti_of_spacing(), sform).integer(252, 2, 1);
+  const Nifti both = nifti_of_spacing().sform(sform).integer(252, 2, 1);
   CHECK(nifti_info(both).notes.empty());
   const VolumeInfo mirrored = nifti_info(Nifti(both).real(76, -1));
   CHECK(noted(mirrored, "the qform is mirrored against the sform, and ignored"));

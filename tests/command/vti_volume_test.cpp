@@ -26,10 +26,10 @@ TEST_CASE_FIXTURE(Folder, "the array named as the scalars is read from several i
   const std::string second =
       "<DataArray type=\"UInt8\" Name=\"b\" format=\"appended\" offset=\"3\"/>";
   check_volume(write("v.vti", vti("", whole, "Scalars=\"b\">" + first + second, appended)),
-               SampleType::u8, "VTK XML, raw");
+               "VTK XML, raw");
   check_volume(
       write("v", "<?xml version=\"1.0\"?>" + vti("", whole, ">" + appended_array, appended)),
-      SampleType::u8, "VTK XML, raw");
+      "VTK XML, raw");
 }
 
 TEST_CASE_FIXTURE(Folder, "the first voxel of VTK's XML is placed for any first index") {
@@ -47,7 +47,7 @@ TEST_CASE_FIXTURE(Folder, "cell data of VTK's XML is placed between the points")
   const auto cells = write(
       "cells.vti",
       replaced_all(replaced_all(file, "0 4 0 2 0 3", "0 5 0 3 0 4"), "PointData", "CellData"));
-  check_volume(cells, SampleType::u8, "VTK XML, raw");
+  check_volume(cells, "VTK XML, raw");
   CHECK(read_info(cells).placement->origin_mm == Vector{-0.5, 3, 5});
   // Arrays at points have priority over those of cells.
   const std::string of_cells =
@@ -55,7 +55,7 @@ TEST_CASE_FIXTURE(Folder, "cell data of VTK's XML is placed between the points")
       "offset=\"70\"/></CellData>";
   std::string both = vti("", whole, ">" + appended_array, appended);
   both.insert(both.find("<PointData"), of_cells);
-  check_volume(write("both.vti", both), SampleType::u8, "VTK XML, raw");
+  check_volume(write("both.vti", both), "VTK XML, raw");
   CHECK(noted(read_info(path() / "both.vti"), "others are left out: 'c'"));
 }
 
@@ -91,7 +91,7 @@ TEST_CASE_FIXTURE(Folder, "a rectilinear grid of even steps in VTK's XML is a vo
       "><DataArray type=\"UInt8\" format=\"ascii\">" + numbers + "</DataArray>";
   const std::string yz = text("3 3.5 4") + text("1 5 9 13");
   const auto even = write("v.vtr", grid(inline_samples, text("-2 0 2 4 6") + yz, ""));
-  check_volume(even, SampleType::u8, "VTK XML, text");
+  check_volume(even, "VTK XML, text");
   const VolumeInfo info = read_info(even);
   CHECK(info.spacing_mm == Spacing{2, 0.5, 4});
   CHECK(info.placement->origin_mm == Vector{-2, 3, 1});
@@ -105,7 +105,7 @@ TEST_CASE_FIXTURE(Folder, "a rectilinear grid of even steps in VTK's XML is a vo
       write("appended.vtr",
             grid(">" + appended_array, array + "67\"/>" + array + "76\"/>" + array + "83\"/>",
                  appended + bytes("\1\2\3\4\5") + bytes("\2\4\6") + bytes("\1\2\3\4"))),
-      SampleType::u8, "VTK XML, raw");
+      "VTK XML, raw");
   CHECK(read_info(path() / "appended.vtr").spacing_mm == Spacing{1, 2, 1});
 
   check_refused(write("v.vtr", grid(inline_samples, text("0 1 2 3 9") + yz, "")),
@@ -165,7 +165,7 @@ TEST_CASE("the pieces of a .pvti file are one volume, in any order") {
   const std::string empty = Pieces::piece("5 4 0 -1 0 -1", "none.vti");
   for (const std::string& list : {left + right, right + empty + left}) {
     const auto file = pieces.write(list);
-    check_volume(file, SampleType::u8, "VTK XML, text, in pieces");
+    check_volume(file, "VTK XML, text, in pieces");
     const VolumeInfo info = read_info(file);
     CHECK_FALSE(info.whole_dims);
     check_axes(info, {{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}}, {1, 12, -1});
@@ -181,7 +181,7 @@ TEST_CASE("the pieces of a .pvti file are one volume, in any order") {
 TEST_CASE("a folder of pieces is one volume, unless it also has another image") {
   const Pieces pieces;
   pieces.write(left + right);
-  check_volume(pieces.folder().path(), SampleType::u8, "VTK XML, text, in pieces");
+  check_volume(pieces.folder().path(), "VTK XML, text, in pieces");
   pieces.write_piece("other.vti", 0, "UInt8");
   check_refused(pieces.folder().path(), "several volumes in folders: 2");
 }
@@ -191,7 +191,7 @@ TEST_CASE("a channel is chosen in pieces as in one image") {
   pieces.write_piece("left.vti", 0, "UInt8", 3);
   pieces.write_piece("right.vti", 2, "UInt8", 3);
   const auto file = pieces.write(left + right);
-  VolumeOptions options = with(&VolumeOptions::channel, 1);
+  VolumeOptions options = of_channel(1);
   const auto samples = read_samples(file, options);
   REQUIRE(samples.size() == voxels);
   for (int voxel = 0; voxel < voxels; ++voxel)
@@ -241,7 +241,7 @@ TEST_CASE_FIXTURE(Folder, "ghost arrays of VTK's XML are not read as samples") {
       "<DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"appended\" offset=\"70\"/>";
   const auto file =
       write("v.vti", vti("", whole, ">" + ghosts + appended_array + ghosts, appended));
-  check_volume(file, SampleType::u8, "VTK XML, raw");
+  check_volume(file, "VTK XML, raw");
   CHECK_FALSE(noted(read_info(file), "left out"));
 }
 

@@ -22,9 +22,9 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be scalars, colours or a field, and
   const std::string field = "POINT_DATA 60\nFIELD FieldData 1\na 1 60 unsigned_char\n";
   const std::string colours = "POINT_DATA 60\nCOLOR_SCALARS a 1\n";
   for (const std::string& array : {scalars, field, colours}) {
-    check_volume(write("v.vtk", vtk(image + array + u8)), SampleType::u8, "VTK, raw");
+    check_volume(write("v.vtk", vtk(image + array + u8)), "VTK, raw");
     check_volume(write("v", vtk(image + "METADATA\nINFORMATION 0\n\n" + array + u8 + "\n")),
-                 SampleType::u8, "VTK, raw");
+                 "VTK, raw");
   }
   const auto info = read_info(write("v.vtk", vtk(image + "ORIGIN 7 8 -9\n" + scalars + u8)));
   check_origin(info, {7, 8, -9});
@@ -35,7 +35,7 @@ TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
   const std::string eight = std::string("\0\12 3\4\5\6\7", 8);  // with a line break in it
   const std::string field = "FIELD FieldData 2\nTIME 1 1 double\n" + eight + "\n" + metadata +
                             "N 2 1 int\n" + eight + "\n";
-  check_volume(write("v.vtk", vtk(field + image + scalars + u8)), SampleType::u8, "VTK, raw");
+  check_volume(write("v.vtk", vtk(field + image + scalars + u8)), "VTK, raw");
   check_refused(write("v.vtk", vtk("FIELD FieldData 1\nTIME 1 -1 double\n" + image + scalars + u8)),
                 "the field's line 'TIME 1 -1 double' is not that of an array");
   const std::string header = "# vtk DataFile Version 3.0\n\nASCII\n";
@@ -43,7 +43,7 @@ TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
   for (const char sample : u8) text += std::to_string(static_cast<unsigned char>(sample)) + ' ';
   check_volume(write("v.vtk", header + "FIELD FieldData 1\nTIME 1 3 double\n1 2\n3\n" + image +
                                   scalars + text),
-               SampleType::u8, "VTK, text");
+               "VTK, text");
 }
 
 TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars is a channel") {
@@ -53,7 +53,7 @@ TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars i
       samples += each;
       text += std::to_string(static_cast<unsigned char>(each)) + ' ';
     }
-  VolumeOptions options = with(&VolumeOptions::channel, 1);
+  VolumeOptions options = of_channel(1);
   for (const std::string& array :
        {std::string("VECTORS v unsigned_char\n"), std::string("COLOR_SCALARS c 3\n"),
         std::string("SCALARS a unsigned_char 3\nLOOKUP_TABLE t\n")}) {
@@ -66,7 +66,7 @@ TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars i
   options.channel = 0;
   const std::string header = "# vtk DataFile Version 3.0\n\nASCII\n" + image;
   check_volume(write("v.vtk", header + "POINT_DATA 60\nVECTORS v unsigned_char\n" + text),
-               SampleType::u8, "VTK, text", options);
+               "VTK, text", options);
 }
 
 TEST_CASE_FIXTURE(Folder, "VTK's samples may be cell data, at the centres between points") {
@@ -74,7 +74,7 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be cell data, at the centres betwee
       "DATASET STRUCTURED_POINTS\nDIMENSIONS 6 4 5\nSPACING 1 2 3\nORIGIN 7 8 -9\nCELL_DATA 60\n"
       "SCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
   const auto file = write("v.vtk", vtk(cells + u8));
-  check_volume(file, SampleType::u8, "VTK, raw");
+  check_volume(file, "VTK, raw");
   CHECK(read_info(file).placement->origin_mm == Vector{7.5, 9, -7.5});
 }
 
@@ -105,8 +105,8 @@ TEST_CASE_FIXTURE(Folder, "an array of NumPy has x along contiguous samples") {
   const std::string fortran = "{'descr': '|u1', 'fortran_order': True, 'shape': (5, 3, 4), }\n";
   const auto c_file = write("c.npy", numpy(c_order) + u8);
   const auto fortran_file = write("fortran.npy", numpy(fortran) + u8);
-  check_volume(c_file, SampleType::u8, "NumPy");
-  check_volume(fortran_file, SampleType::u8, "NumPy");
+  check_volume(c_file, "NumPy");
+  check_volume(fortran_file, "NumPy");
   CHECK(noted(read_info(fortran_file), "read as array[x][y][z]"));
   CHECK(noted(read_info(c_file), "no spacing given"));
 }

@@ -1,9 +1,7 @@
 // Zarr and OME-Zarr: the choice of the array, its orientation, and the storage of its chunks.
 // The test container_table reads the files of zarr in Python and of zarrita.
-#include <archive.h>
-#include <archive_entry.h>
-
 #include "command.hpp"
+#include "zip_files.hpp"
 
 namespace {
 
@@ -56,7 +54,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "the finest or the chosen level is read with its o
               dataset("full", "[2000, 750, 500]") + ", " + dataset("half", "[4000, 1500, 1000]"));
   write_array(ome / "full", {4, 3, 5}, u8);
   write_array(ome / "half", {2, 2, 3}, std::string(12, '\7'));
-  check_volume(ome, SampleType::u8, "OME-Zarr, level 0 of 2");
+  check_volume(ome, "OME-Zarr, level 0 of 2");
   const VolumeInfo info = read_info(ome);
   CHECK(info.spacing_mm == Spacing{0.5, 0.75, 2});
   CHECK(info.notes.empty());
@@ -68,8 +66,8 @@ TEST_CASE_FIXTURE(ZarrFolder, "the finest or the chosen level is read with its o
   options.level = 2;
   check_refused(ome, options, "no level 2: the image has 2; choose one with --level 0 to 1");
   // Also by the folder of its array, which is then a level of the image.
-  check_volume(ome / "full", SampleType::u8, "OME-Zarr, level 0 of 2");
-  check_volume(ome / "full" / "", SampleType::u8, "OME-Zarr, level 0 of 2");
+  check_volume(ome / "full", "OME-Zarr, level 0 of 2");
+  check_volume(ome / "full" / "", "OME-Zarr, level 0 of 2");
   CHECK(read_info(ome / "half").spacing_mm == Spacing{1, 1.5, 4});
 }
 
@@ -84,14 +82,14 @@ TEST_CASE_FIXTURE(
   }
   write_image(image, zyx_axes, dataset("a/full", "[1, 1, 1]"));
   write_array(image / "a" / "full", {4, 3, 5}, u8);
-  check_volume(image, SampleType::u8, "OME-Zarr");
+  check_volume(image, "OME-Zarr");
 }
 
 TEST_CASE_FIXTURE(ZarrFolder, "a level whose slices are too large is passed over") {
   write_image(image, zyx_axes, dataset("0", "[1, 1, 1]") + ", " + dataset("1", "[4, 3, 5]"));
   write_array(image / "0", {4, 3, 40000}, u8);
   write_array(image / "1", {4, 3, 5}, u8);
-  check_volume(image, SampleType::u8, "OME-Zarr, level 1 of 2");
+  check_volume(image, "OME-Zarr, level 1 of 2");
   check_refused(image, with(&VolumeOptions::level, 0), "size 40000, outside 1 to 32766");
 }
 
@@ -125,10 +123,10 @@ TEST_CASE_FIXTURE(ZarrFolder, "a time and a channel are chosen, with the file's 
       dataset("0", "[1, 1, 2000, 750, 500]"));
   const std::string other(60, '\1');
   write_array(image / "0", {2, 2, 4, 3, 5}, other + other + other + u8);
-  VolumeOptions options = with(&VolumeOptions::frame, 1);
+  VolumeOptions options = of_frame(1);
   check_refused(image, options, "holds 2 channels, and one is read at a time");
   options.channel = 1;
-  check_volume(image, SampleType::u8, "OME-Zarr", options);
+  check_volume(image, "OME-Zarr", options);
   options.frame.reset();
   check_refused(image, options, "holds 2 volumes");
 
@@ -138,7 +136,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "a time and a channel are chosen, with the file's 
   options.channel.reset();
   check_refused(image, options, "holds 2 channels ('DAPI', 'GFP')");
   options.channel = 1;
-  check_volume(image, SampleType::u8, "OME-Zarr", options);
+  check_volume(image, "OME-Zarr", options);
   CHECK(noted(read_info(image, options), "no spacing given, 1 mm assumed"));
 }
 
@@ -174,13 +172,13 @@ TEST_CASE_FIXTURE(ZarrFolder, "labels of 64 bits keep all their bits") {
 
 TEST_CASE_FIXTURE(ZarrFolder, "axes are named by the array, by xarray or by --axes") {
   write_array(array, {4, 3, 5, 1}, u8);
-  check_volume(array, SampleType::u8, "Zarr");
+  check_volume(array, "Zarr");
   CHECK(noted(read_info(array), "axes of size 1 are dropped"));
   write_array(array, {4, 3, 5}, u8);
   write(array / ".zattrs", R"({"_ARRAY_DIMENSIONS": ["x", "y", "z"]})");
   CHECK(read_info(array).dims == Dims{4, 3, 5});
-  VolumeOptions options = with(&VolumeOptions::axes, "zyx");
-  check_volume(array, SampleType::u8, "Zarr", options);
+  VolumeOptions options = with_axes("zyx");
+  check_volume(array, "Zarr", options);
   options.axes = "xzy";
   const auto samples = read_samples(array, options);
   CHECK(samples[1] == sample_at(15, SampleType::u8));     // the next chunk along x
@@ -232,33 +230,16 @@ TEST_CASE_FIXTURE(ZarrFolder, "a group is read like its only array or image") {
   check_refused(group, "the group holds no array");
   write_image(group / "0", zyx_axes, dataset("0", "[2000, 750, 500]"));
   write_array(group / "0/0", {4, 3, 5}, u8);
-  check_volume(group, SampleType::u8, "OME-Zarr");
-  check_volume(group / ".zgroup", SampleType::u8, "OME-Zarr");
+  check_volume(group, "OME-Zarr");
+  check_volume(group / ".zgroup", "OME-Zarr");
   write_array(group / "1", {4, 3, 5}, u8);
   check_refused(group, "holds several images or arrays: 0, 1; choose one by its folder");
 }
 
 TEST_CASE_FIXTURE(ZarrFolder, "a zip of Zarr is read like its folder") {
   for (const std::string inside : {"", "image.zarr/"}) {
-    const fs::path file = path() / "image.zarr.zip";
-    archive* writer = archive_write_new();
-    archive_write_set_format_zip(writer);
-    REQUIRE(archive_write_open_filename(writer, file.c_str()) == ARCHIVE_OK);
-    const fs::path source = files / "i16-big-chunks.zarr";
-    for (const auto& entry : fs::recursive_directory_iterator(source)) {
-      if (!entry.is_regular_file()) continue;
-      const std::string bytes = contents(entry.path());
-      archive_entry* member = archive_entry_new();
-      archive_entry_set_pathname(member,
-                                 (inside + fs::relative(entry.path(), source).string()).c_str());
-      archive_entry_set_filetype(member, AE_IFREG);
-      archive_entry_set_size(member, static_cast<la_int64_t>(bytes.size()));
-      REQUIRE(archive_write_header(writer, member) == ARCHIVE_OK);
-      archive_write_data(writer, bytes.data(), bytes.size());
-      archive_entry_free(member);
-    }
-    archive_write_close(writer);
-    archive_write_free(writer);
+    const auto file =
+        write("image.zarr.zip", zip(members_of(files / "i16-big-chunks.zarr", inside)));
     check_volume(file, SampleType::i16, "OME-Zarr, zip");
   }
 }
@@ -351,7 +332,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "shards are read with their index at either end") 
       write(array / "zarr.json",
             array_json("[4, 3, 5]", shard_codec(has_index_at_start, has_checksum)));
       write(array / "c/0/0/0", shard(true, has_index_at_start, has_checksum));
-      check_volume(array, SampleType::u8, "Zarr");
+      check_volume(array, "Zarr");
       write(array / "c/0/0/0", shard(false, has_index_at_start, has_checksum));
       const auto samples = read_samples(array);
       CHECK(samples[29] == 255);
@@ -397,7 +378,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "a chunk's checksum is verified, and keys of versi
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "crc32c"}])", keys));
   write(array / "0.0.0", u8 + bytes_of(crc32c(u8)));
-  check_volume(array, SampleType::u8, "Zarr");
+  check_volume(array, "Zarr");
   write(array / "0.0.0", u8 + bytes_of(crc32c(u8) + 1));
   check_refused(array, "its checksum is wrong");
 }

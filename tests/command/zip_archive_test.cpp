@@ -1,44 +1,12 @@
 // Archives of zip: their DICOM files and pictures are read as from a folder.
-#include <archive.h>
-#include <archive_entry.h>
-
 #include "command.hpp"
+#include "zip_files.hpp"
 
 namespace {
 
 using namespace volume_files;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
-
-using Members = std::vector<std::pair<std::string, std::string>>;
-
-std::string zip(const Members& members) {
-  std::string bytes(1 << 20, '\0');
-  std::size_t used = 0;
-  archive* const writer = archive_write_new();
-  archive_write_set_format_zip(writer);
-  archive_write_open_memory(writer, bytes.data(), bytes.size(), &used);
-  for (const auto& [name, content] : members) {
-    archive_entry* const entry = archive_entry_new();
-    archive_entry_set_pathname(entry, name.c_str());
-    archive_entry_set_size(entry, static_cast<la_int64_t>(content.size()));
-    archive_entry_set_filetype(entry, AE_IFREG);
-    REQUIRE(archive_write_header(writer, entry) == ARCHIVE_OK);
-    archive_write_data(writer, content.data(), content.size());
-    archive_entry_free(entry);
-  }
-  archive_write_free(writer);
-  bytes.resize(used);
-  return bytes;
-}
-
-Members members_of(const fs::path& folder, const std::string& prefix) {
-  Members members;
-  for (const auto& entry : fs::directory_iterator(folder))
-    members.emplace_back(prefix + entry.path().filename().string(), contents(entry.path()));
-  std::sort(members.begin(), members.end());
-  return members;
-}
 
 // Sets the folder for temporary files during the lifetime of this object; other programs use
 // another one.
