@@ -5,6 +5,7 @@
 
 namespace {
 
+using command_tests::Workshop;
 using discmc::meshing::Component;
 using discmc::meshing::Surface;
 using discmc::reference::BitVolume;
@@ -61,19 +62,16 @@ TEST_CASE("a hollow that is open to the border is not filled") {
   CHECK(volumes_after_filling(volume) == std::vector<double>{before});
 }
 
-TEST_CASE("--fill removes cavities from a mesh") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "--fill removes cavities from a mesh") {
   BitVolume volume = block();
-  workshop.write("whole.nrrd", volume);
+  write("whole.nrrd", volume);
   put_box(volume, {5, 5, 5}, {9, 9, 9}, 0);
-  workshop.write("v.nrrd", volume);
-  workshop.done("extract whole.nrrd --iso 100 -o whole.stl");
-  const auto result = workshop.run("extract v.nrrd --iso 100 --fill -o v.stl");
-  CHECK(workshop.read("v.stl") == workshop.read("whole.stl"));
+  write("v.nrrd", volume);
+  done("extract whole.nrrd --iso 100 -o whole.stl");
+  const auto result = run("extract v.nrrd --iso 100 --fill -o v.stl");
+  CHECK(read("v.stl") == read("whole.stl"));
   CHECK(command_tests::contains(result.error, "1 of 2 bodies and cavities are kept"));
-  CHECK(command_tests::contains(workshop.run("extract v.nrrd --iso 100 --fill -o v.dmc").error,
-                                "--fill"));
-  CHECK(command_tests::contains(
-      workshop.run("extract v.nrrd --iso 100 --fill --border open -o v.stl").error,
-      "encloses no volume"));
+  CHECK(command_tests::contains(run("extract v.nrrd --iso 100 --fill -o v.dmc").error, "--fill"));
+  CHECK(command_tests::contains(run("extract v.nrrd --iso 100 --fill --border open -o v.stl").error,
+                                "encloses no volume"));
 }

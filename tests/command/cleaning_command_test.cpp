@@ -1,13 +1,9 @@
 // discmc extract, decode and render, with noise and specks removed.
 #include "command.hpp"
-#include "oracle/volume.hpp"
 
 namespace {
 
-using command_tests::check_failure;
-using command_tests::contains;
-using command_tests::Workshop;
-using discmc::reference::BitVolume;
+using namespace command_tests;
 
 // Two boxes and a voxel; on is 1.
 std::string boxes() {
@@ -20,14 +16,13 @@ std::string boxes() {
 
 const std::string extract = "extract v.raw --dims 20,16,12 --type u8 --spacing 1,1,1 --iso 1 ";
 
-std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
+struct Boxes : Workshop {
+  Boxes() { write("v.raw", boxes()); }
+};
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop, "the largest bodies are kept, in meshes of volumes and of streams") {
-  write("v.raw", boxes());
+TEST_CASE_FIXTURE(Boxes, "the largest bodies are kept, in meshes of volumes and of streams") {
   done(extract + "-o all.jsonl");
   const auto kept = [&](const std::string& options) {
     const auto result = run(extract + options + " --allow-empty -q -o kept.jsonl");
@@ -35,7 +30,7 @@ TEST_CASE_FIXTURE(Workshop, "the largest bodies are kept, in meshes of volumes a
     done(extract + "-q -o v.dmc");
     const auto decoded = run("decode v.dmc " + options + " -o decoded.jsonl");
     CHECK(decoded.code == 0);
-    CHECK(lines(read("kept.jsonl")) == lines(read("decoded.jsonl")));
+    CHECK(lines_in(read("kept.jsonl")) == lines_in(read("decoded.jsonl")));
     const std::string told = "v.raw: ";
     CHECK(result.error.empty() == decoded.error.empty());
     if (result.error.empty()) return result.error;
@@ -45,32 +40,28 @@ TEST_CASE_FIXTURE(Workshop, "the largest bodies are kept, in meshes of volumes a
   };
   constexpr std::size_t of_box = 26, of_voxel = 8;
   CHECK(contains(kept("--largest 2"), "2 of 3 bodies and cavities are kept"));
-  CHECK(lines(read("kept.jsonl")) == 2 * of_box);
+  CHECK(lines_in(read("kept.jsonl")) == 2 * of_box);
   CHECK(contains(kept("--largest 1"), "1 of 3"));
   CHECK(kept("--largest 9").empty());
   CHECK(read("kept.jsonl") == read("all.jsonl"));
   CHECK(kept("--min-volume 0.15").empty());
-  CHECK(lines(read("kept.jsonl")) == 2 * of_box + of_voxel);
+  CHECK(lines_in(read("kept.jsonl")) == 2 * of_box + of_voxel);
   CHECK(contains(kept("--min-volume 0.2"), "2 of 3"));
   CHECK(contains(kept("--min-volume 200"), "1 of 3"));
   CHECK(contains(kept("--min-volume 1e9"), "0 of 3"));
 }
 
-TEST_CASE_FIXTURE(
-    Workshop,
-    "a median leaves boxes with rounded edges and no speck, in meshes and in both streams") {
-  write("v.raw", boxes());
+TEST_CASE_FIXTURE(Boxes, "a median removes specks, in meshes and in both streams") {
   CHECK(contains(run(extract + "--median 3 --largest 1 -o one.jsonl").error, "1 of 2"));
   done(extract + "--median 3 --largest 2 -o v.jsonl");
   for (const std::string wire : {"regions", "slices"}) {
     done(extract + "--median 3 --wire " + wire + " -o v.dmc");
     done("decode v.dmc -o decoded.jsonl");
-    CHECK(lines(read("v.jsonl")) == lines(read("decoded.jsonl")));
+    CHECK(lines_in(read("v.jsonl")) == lines_in(read("decoded.jsonl")));
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "cleaning options that contradict each other are refused") {
-  write("v.raw", boxes());
+TEST_CASE_FIXTURE(Boxes, "cleaning options that contradict each other are refused") {
   fails(extract + "--largest 1 -o v.dmc", 2, {"--largest", "a stream"});
   fails(extract + "--min-volume 1 -o v.dmc", 2, {"--min-volume"});
   fails(extract + "--largest 0 -o v.stl", 2, {"--largest"});
@@ -88,9 +79,7 @@ TEST_CASE_FIXTURE(Workshop, "invalid counts and volumes are refused with the exp
           {"invalid value '" + none + "'; expected cubic millimetres"});
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "a picture shows the bodies that are kept, of a volume as of its stream") {
-  write("v.raw", boxes());
+TEST_CASE_FIXTURE(Boxes, "pictures of a volume and of its stream show the bodies kept") {
   done(extract + "-q -o v.dmc");
   const std::string layout = "v.raw" + extract.substr(extract.find(" --dims"));
   const auto picture = [&](const std::string& input, const std::string& options) {

@@ -4,9 +4,6 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "mesh_files/file_mesh.hpp"
@@ -19,21 +16,16 @@ namespace command_tests {
 using discmc::command::FileMesh;
 using discmc::meshing::Point;
 using discmc::reference::BitVolume;
-
-inline std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {});
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using volume_files::contains;
+using volume_files::contents;
 
 /// The result of a run. If a signal ended the run, the code is 128 plus the signal, as in shells.
 struct Result {
   int code;
   std::string out, error;
 };
+
+inline FileMesh mesh_of(const std::string& name, const std::string& bytes);
 
 /// A folder in which the command runs.
 class Workshop {
@@ -71,6 +63,8 @@ class Workshop {
     CHECK(file_names() == before);
   }
 
+  bool has_program(const std::string& name) const { return shell("command -v " + name).code == 0; }
+
   /// The lines of `info` by their keys.
   std::map<std::string, std::string> info_of(const std::string& stream) const {
     std::map<std::string, std::string> values;
@@ -95,6 +89,12 @@ class Workshop {
   }
 
   std::string read(const std::string& name) const { return contents(folder_.path() / name); }
+  FileMesh mesh_in(const std::string& name) const { return mesh_of(name, read(name)); }
+  /// Reads all meshes of GLB or 3MF.
+  std::vector<FileMesh> meshes_in(const std::string& name) const {
+    const bool is_glb = name.substr(name.size() - 4) == ".glb";
+    return is_glb ? meshes_of_glb(read(name)) : meshes_of_3mf(read(name));
+  }
 
   /// The names of all files, sorted.
   std::vector<std::string> file_names() const {
@@ -129,7 +129,9 @@ inline FileMesh mesh_of_obj(const std::string& text) {
       Point point{};
       words >> point[0] >> point[1] >> point[2];
       (key == "v" ? mesh.vertices_mm : mesh.normals).push_back(point);
-    } else if (key == "f") {
+    } else if (key != "f") {
+      CHECK((key == "#" || key == "o" || key == "mtllib" || key == "usemtl"));
+    } else {
       std::vector<std::uint32_t> face;
       for (std::string corner; words >> corner;) {
         const std::size_t slashes = corner.find("//");
@@ -208,6 +210,10 @@ inline FileMesh mesh_of_stl(const std::string& bytes) {
   return mesh;
 }
 
+inline std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
 inline std::size_t count_after(const std::string& text, const std::string& key) {
   REQUIRE(contains(text, key));
   return std::stoul(text.substr(text.find(key) + key.size()));
@@ -238,7 +244,7 @@ inline FileMesh mesh_of_ply(const std::string& bytes) {
   return mesh;
 }
 
-/// Reads the format given by the extension of the name.
+/// Reads the format that the extension of the name selects.
 inline FileMesh mesh_of(const std::string& name, const std::string& bytes) {
   const std::string extension = name.substr(name.size() - 4);
   if (extension == ".obj") return mesh_of_obj(bytes);

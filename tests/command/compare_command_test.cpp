@@ -1,8 +1,6 @@
 // discmc compare.
-#include <sstream>
 
 #include "command.hpp"
-#include "oracle/volume.hpp"
 
 namespace {
 

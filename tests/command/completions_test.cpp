@@ -7,7 +7,6 @@ namespace {
 
 using namespace command_tests;
 
-// The completions of bash at the end of a line.
 std::string bash_offers(const std::string& line) {
   const Result result = Workshop().shell(
       "\"$discmc\" completions bash > completions\n"
@@ -30,14 +29,10 @@ std::string fish_offers(const std::string& line) {
   return result.out;
 }
 
-bool has(const std::string& program) {
-  return Workshop().shell("command -v " + program).code == 0;
-}
-
 }  // namespace
 
 TEST_CASE("bash completes commands, options, and the words that a value can be") {
-  if (!has("bash")) return;
+  if (!Workshop().has_program("bash")) return;
   CHECK(bash_offers("ex") == "extract\n");
   CHECK(contains(bash_offers("''"), "extract view info render compare"));
   CHECK(bash_offers("--ve") == "--version\n");
@@ -49,7 +44,7 @@ TEST_CASE("bash completes commands, options, and the words that a value can be")
 }
 
 TEST_CASE("bash completes files by itself") {
-  if (!has("bash")) return;
+  if (!Workshop().has_program("bash")) return;
   CHECK(bash_offers("extract v") == "\n");
   CHECK(bash_offers("extract v.nrrd -o v") == "\n");
   CHECK(bash_offers("extract v.nrrd --iso -") == "\n");
@@ -57,7 +52,7 @@ TEST_CASE("bash completes files by itself") {
 }
 
 TEST_CASE("fish completes commands, options, and the words that a value can be") {
-  if (!has("fish")) return;
+  if (!Workshop().has_program("fish")) return;
   CHECK(fish_offers("ex") == "extract ");
   CHECK(fish_offers("extract v.nrrd --bor") == "--border ");
   CHECK(fish_offers("extract v.nrrd --border ") == "closed open ");
@@ -66,7 +61,7 @@ TEST_CASE("fish completes commands, options, and the words that a value can be")
 
 TEST_CASE("each shell accepts its completions as a script") {
   for (const std::string shell : {"bash", "zsh", "fish"}) {
-    if (!has(shell)) continue;
+    if (!Workshop().has_program(shell)) continue;
     INFO(shell);
     const Result result = Workshop().shell("\"$discmc\" completions " + shell +
                                            " > completions && " + shell + " -n completions");

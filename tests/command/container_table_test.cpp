@@ -1,14 +1,11 @@
 // The table of containers and sample types in the manual of the command. For every cell there is a
 // file of an independent program (volumes/write_volumes.py), with the same volume.
-#include <filesystem>
 
 #include "command.hpp"
 
 namespace {
 
 using namespace volume_files;
-using command_tests::contains;
-using command_tests::contents;
 using discmc::meshing::sample_type_called;
 
 const fs::path folder = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes";
@@ -35,17 +32,13 @@ const std::map<std::string, std::set<std::string>> table = {
     {"mrc", {"i8", "i16", "u16", "f32"}},
 };
 
-VolumeOptions frame(std::uint32_t number) {
-  return with(&VolumeOptions::frame, number);
-}
-
 // The expected samples of a file named TYPE-ORDER..., in the volume of all files.
 void check_file(const std::string& container, const fs::path& file) {
   const std::string called = file.filename().string();
   INFO(container, "/", called);
   const SampleType type = *sample_type_called(called.substr(0, called.find('-')));
   VolumeOptions options;
-  if (contains(called, "frame1")) options = frame(1);
+  if (contains(called, "frame1")) options = of_frame(1);
   const auto reader = open_volume(file, options);
   const VolumeInfo& info = reader->info();
   CHECK(info.dims == Dims{5, 3, 4});
@@ -53,12 +46,9 @@ void check_file(const std::string& container, const fs::path& file) {
   if (container != "numpy" && container != "npz" && container != "tiff")
     for (std::size_t axis = 0; axis < 3; ++axis)
       CHECK(std::fabs(info.spacing_mm[axis]) == std::array<double, 3>{0.5, 0.75, 2}[axis]);
-  std::vector<double> expected;
-  for (int voxel = 0; voxel < voxels; ++voxel) expected.push_back(sample_at(voxel, type));
-  CHECK(read_all(*reader) == expected);
+  CHECK(read_all(*reader) == samples_as(type));
 }
 
-// The data file that a header names.
 bool is_data(const fs::path& file) {
   const std::string extension = file.extension().string();
   return extension == ".raw" || extension == ".img" || contains(file.string(), ".raw.gz");
@@ -96,7 +86,7 @@ TEST_CASE("a file of several volumes is refused unless one of them is chosen") {
         "numpy/i16-little-frame1.npy", "hdf5/i16-little-frame1.h5"}) {
     INFO(name);
     check_refused(folder / name, "holds 2 volumes, and one is read at a time; choose one");
-    check_refused(folder / name, frame(2), "no volume 2: the file holds 2");
-    for (const double sample : read_all(*open_volume(folder / name, frame(0)))) CHECK(sample == 0);
+    check_refused(folder / name, of_frame(2), "no volume 2: the file holds 2");
+    for (const double sample : read_samples(folder / name, of_frame(0))) CHECK(sample == 0);
   }
 }

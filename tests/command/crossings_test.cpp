@@ -131,8 +131,7 @@ TEST_CASE("an edge to a voxel that the mask excludes is crossed in the middle") 
   check_near(finder.crossings().interpolated({7, 0, 0}), {6 + 2 * 50.5 / 80, 0, 0});
 }
 
-TEST_CASE(
-    "an edge to a sample that is not finite, or outside the volume, is crossed in the middle") {
+TEST_CASE("an edge to a non-finite sample, or out of the volume, is crossed in the middle") {
   VolumeInfo info;
   info.dims = {7, 1, 1};
   info.type = SampleType::f32;

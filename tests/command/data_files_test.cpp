@@ -13,7 +13,6 @@ std::string slice(int number) {
   return i16.substr(static_cast<std::size_t>(number) * 30, 30);
 }
 
-// Writes the four slices as a07.raw, a05.raw, a03.raw and a01.raw.
 void write_slices(const Folder& folder) {
   for (int i = 0; i < 4; ++i)
     folder.write("a0" + std::to_string(7 - 2 * i) + ".raw", "header" + slice(i) + "behind");
@@ -21,8 +20,7 @@ void write_slices(const Folder& folder) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(
-    Folder, "slices in files of their own are read, by a pattern of names or a list of them") {
+TEST_CASE_FIXTURE(Folder, "slices in files of their own are read by a pattern or a list") {
   write_slices(*this);
   const auto nrrd_of = [&](const std::string& files) {
     return write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files));
@@ -51,9 +49,7 @@ TEST_CASE_FIXTURE(Folder, "each of several files has an equal share, in the enco
                SampleType::i16, "NRRD, raw, detached");
 }
 
-TEST_CASE_FIXTURE(
-    Folder,
-    "names of data files may have blanks and percent signs, and folders as Windows has them") {
+TEST_CASE_FIXTURE(Folder, "names of data files may have blanks, percent signs and backslashes") {
   const auto check = [&](const std::string& written, const std::string& told) {
     INFO(told);
     write(written, i16);
@@ -68,8 +64,7 @@ TEST_CASE_FIXTURE(
   check("c\\d.raw", "c\\d.raw");
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "names that lead out of the folder of the header are refused, and links are followed") {
+TEST_CASE_FIXTURE(Folder, "names that leave the header's folder are refused, links followed") {
   const std::string outside = write("outside1.raw", i16).string();
   for (const std::string& name :
        {outside, std::string("../outside1.raw"), std::string("..\\outside1.raw"),
@@ -97,7 +92,7 @@ TEST_CASE_FIXTURE(Folder, "several files that do not hold the volume are refused
     const auto file =
         write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files + "\n"));
     try {
-      read_all(*open_volume(file));
+      read_samples(file);
       FAIL("not refused: ", files);
     } catch (const VolumeError& error) {
       check_refusal(error.what(), part);
@@ -115,8 +110,7 @@ TEST_CASE_FIXTURE(Folder, "several files that do not hold the volume are refused
   check("LIST\na\001.raw", "control characters");
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "data files that are longer than their share are refused unless a header is skipped") {
+TEST_CASE_FIXTURE(Folder, "data files longer than their share are refused without a skip") {
   for (int i = 0; i < 4; ++i) {
     write("a" + std::to_string(i), "header" + slice(i));
     write("b" + std::to_string(i), gzip("header" + slice(i)));
@@ -125,9 +119,9 @@ TEST_CASE_FIXTURE(
     return write("v.nhdr", nrrd(nrrd_i16 + lines));
   };
   const std::string more = "the data file is longer than its share of 30 bytes";
-  CHECK_THROWS_WITH(read_all(*open_volume(nrrd_of("raw\ndata file: a%d 0 3 1\n"))),
+  CHECK_THROWS_WITH(read_samples(nrrd_of("raw\ndata file: a%d 0 3 1\n")),
                     doctest::Contains(more.c_str()));
-  CHECK_THROWS_WITH(read_all(*open_volume(nrrd_of("gzip\ndata file: b%d 0 3 1\n"))),
+  CHECK_THROWS_WITH(read_samples(nrrd_of("gzip\ndata file: b%d 0 3 1\n")),
                     doctest::Contains(more.c_str()));
   check_volume(nrrd_of("raw\nbyte skip: -1\ndata file: a%d 0 3 1\n"), SampleType::i16,
                "NRRD, raw, detached");
@@ -135,6 +129,5 @@ TEST_CASE_FIXTURE(
                "NRRD, gzip, detached");
   write_slices(*this);
   const auto skipping = nrrd_of("raw\nbyte skip: 6\ndata file: a%02d.raw 7 1 -2\n");
-  CHECK(noted(open_volume(skipping)->info(),
-              "6 bytes after the samples of a data file are left out"));
+  CHECK(noted(read_info(skipping), "6 bytes after the samples of a data file are left out"));
 }

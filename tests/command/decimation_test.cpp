@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "command.hpp"
-#include "meshes/intersections.hpp"
 #include "meshes/mesh_edges.hpp"
 #include "meshes/surface_distance.hpp"
 #include "sampled_field.hpp"
@@ -14,6 +13,7 @@ namespace {
 using namespace sampled_field;
 using command_tests::contains;
 using command_tests::volume_of;
+using command_tests::Workshop;
 
 FaceMesh all_triangles(const Field& field, Border border = Border::closed) {
   return interpolated(extracted(field, SampleType::u8, {1, 1, 1}, border), 0);
@@ -47,10 +47,6 @@ Field gyroid(std::uint32_t size) {
     return level + 30 * (0.45 - std::fabs(std::sin(u) * std::cos(v) + std::sin(v) * std::cos(w) +
                                           std::sin(w) * std::cos(u)));
   });
-}
-
-std::size_t crossing_pairs(const FaceMesh& mesh) {
-  return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
 // The measures of all bodies and cavities, the smallest first.
@@ -244,53 +240,49 @@ TEST_CASE("decimation does not depend on the unit, and ends when a check throws"
                   std::runtime_error);
 }
 
-TEST_CASE("--triangles and --max-error write decimated meshes, interpolated before") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "--triangles and --max-error write decimated meshes") {
   std::string bytes;
   for (const int sample : ball(40, 16, 4).samples) bytes += static_cast<char>(sample);
-  workshop.write("v.raw", bytes);
+  write("v.raw", bytes);
   const std::string extract = "extract v.raw --dims 40,40,40 --spacing 1,1,1 --type u8 --iso 50 ";
-  const std::string told = workshop.done(extract + "--triangles 1000 --normals gradient -o v.ply");
+  const std::string told = done(extract + "--triangles 1000 --normals gradient -o v.ply");
   CHECK(contains(told, "closed                               yes"));
-  const FileMesh mesh = command_tests::mesh_of_ply(workshop.read("v.ply"));
+  const FileMesh mesh = mesh_in("v.ply");
   CHECK(mesh.face_count() <= 1000);
   CHECK(check_mesh(mesh).is_closed());
   CHECK(mesh.normals.size() == mesh.vertices_mm.size());
-  workshop.done(
-      extract +
-      "--triangles 1000 --surface interpolated --tolerance 0 --normals gradient -o same.ply");
-  CHECK(workshop.read("same.ply") == workshop.read("v.ply"));
-  workshop.done(extract + "--triangles 1000 --surface merged --normals surface -o merged.ply");
-  CHECK(check_mesh(command_tests::mesh_of_ply(workshop.read("merged.ply"))).is_closed());
-  workshop.done(extract + "--max-error 0.1 -o v.csv");
-  workshop.done(
+  done(extract +
+       "--triangles 1000 --surface interpolated --tolerance 0 --normals gradient -o same.ply");
+  CHECK(read("same.ply") == read("v.ply"));
+  done(extract + "--triangles 1000 --surface merged --normals surface -o merged.ply");
+  CHECK(check_mesh(mesh_in("merged.ply")).is_closed());
+  done(extract + "--max-error 0.1 -o v.csv");
+  done(
       "extract v.raw --dims 40,40,40 --type u8 --label 50 --allow-empty --triangles 99 "
       "--median 3 -o v.glb");
   std::replace_if(
       bytes.begin(), bytes.end(), [](char c) { return c != 0; }, '\1');
-  workshop.write("mask.raw", bytes);
-  CHECK(contains(workshop
-                     .run("extract mask.raw --dims 40,40,40 --type u8 --iso 1 --triangles 999 "
-                          "-o v.ply")
+  write("mask.raw", bytes);
+  CHECK(contains(run("extract mask.raw --dims 40,40,40 --type u8 --iso 1 --triangles 999 "
+                     "-o v.ply")
                      .error,
                  "as a mask, so the surface keeps the steps of the voxels; add --smooth auto"));
-  CHECK(contains(workshop.run(extract + "--triangles 99 -o v.dmc").error, "not decimated"));
-  CHECK(contains(workshop.run(extract + "--triangles 99 --faces polygons -o v.ply").error,
+  CHECK(contains(run(extract + "--triangles 99 -o v.dmc").error, "not decimated"));
+  CHECK(contains(run(extract + "--triangles 99 --faces polygons -o v.ply").error,
                  "leave out --faces polygons"));
   for (const std::string none : {"3", "4.5", "1e30", "-9"})
-    CHECK(contains(workshop.run(extract + "--triangles=" + none + " -o v.ply").error,
+    CHECK(contains(run(extract + "--triangles=" + none + " -o v.ply").error,
                    "invalid value '" + none + "'; expected a whole number from 4"));
-  CHECK(contains(workshop.run(extract + "--max-error 0 -o v.ply").error, "above 0"));
+  CHECK(contains(run(extract + "--max-error 0 -o v.ply").error, "above 0"));
 }
 
-TEST_CASE("a note about a label that cannot be decimated further has the name of the label") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "the note about a label that stays larger has the label's name") {
   std::string bytes(12 * 12 * 12, '\0');
   for (const int at : {2, 5, 8})
     for (const int below : {2, 5, 8}) bytes[static_cast<std::size_t>(at + 12 * below + 720)] = '\3';
-  workshop.write("v.raw", bytes);
-  workshop.write("table.txt", "3 seeds\n");
-  const auto result = workshop.run(
+  write("v.raw", bytes);
+  write("table.txt", "3 seeds\n");
+  const auto result = run(
       "extract v.raw --dims 12,12,12 --type u8 --labels all --label-table table.txt --triangles 9 "
       "-o v.glb");
   CHECK(contains(result.error, "v.raw: label 3 (seeds): --triangles 9: the mesh has "));

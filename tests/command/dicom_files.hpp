@@ -188,6 +188,20 @@ inline std::vector<std::int64_t> volume_values() {
   return values;
 }
 
+/// From the last slice to the first.
+inline std::vector<std::int64_t> reversed_values() {
+  std::vector<std::int64_t> values;
+  for (int z = depth; z-- > 0;)
+    for (const std::int64_t value : slice_values(z)) values.push_back(value);
+  return values;
+}
+
+template <class Number, class Change>
+std::vector<Number> changed(std::vector<Number> values, Change change) {
+  for (Number& value : values) value = change(value);
+  return values;
+}
+
 inline std::vector<double> as_read(const std::vector<std::int64_t>& values) {
   return std::vector<double>(values.begin(), values.end());
 }
@@ -232,12 +246,44 @@ inline Dataset slice(int z, const std::string& instance = "") {
   return data.samples(slice_values(z), 16, true);
 }
 
+/// A file of frames in functional groups. add: adds the items of a frame, and returns its samples.
+template <class Add>
+Dataset enhanced(int count, Add add) {
+  Dataset measures, shared, orientation;
+  measures.text(0x00280030, "DS", "0.75\\0.5").text(0x00180050, "DS", "2.5");
+  orientation.text(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
+  shared.sequence(0x00289110, {measures}).sequence(0x00209116, {orientation});
+  std::vector<Dataset> groups;
+  std::vector<std::int64_t> samples;
+  for (int i = 0; i < count; ++i) {
+    Dataset group;
+    for (const std::int64_t value : add(group, i)) samples.push_back(value);
+    groups.push_back(group);
+  }
+  Dataset data = image("9", "MR");
+  data.drop(0x00280030).sequence(0x52009229, {shared}).sequence(0x52009230, groups);
+  data.text(0x00280008, "IS", std::to_string(count));
+  return data.samples(samples, 16, true);
+}
+
+inline Dataset& place_frame(Dataset& group, int z) {
+  Dataset place;
+  place.text(0x00200032, "DS", decimals(position(z)));
+  return group.sequence(0x00209113, {place});
+}
+
 /// A file with all slices.
 inline Dataset frames(const std::string& modality = "CT") {
   Dataset data = image("9", modality);
   data.text(0x00280008, "IS", std::to_string(depth));
   return data.samples(volume_values(), 16, true);
 }
+
+struct Dicom : volume_files::Folder {
+  volume_files::fs::path put(const Dataset& data) const { return write("v.dcm", data.file()); }
+};
+
+inline const discmc::meshing::Axes along_axes = {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}};
 
 inline void check_places(const volume_files::VolumeInfo& info, const std::array<double, 3>& origin,
                          const discmc::meshing::Axes& axes) {

@@ -6,86 +6,70 @@ namespace {
 
 using namespace dicom_files;
 using namespace volume_files;
-using discmc::meshing::Axes;
-
-const Axes along_axes = {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}};
 
 Dataset cone_beam() {
   Dataset data = frames();
   return put_at(data, position(0)).text(0x00180050, "DS", "2.5");
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "frames with a common position are read as consecutive slices with a note") {
-  const auto reader = open_volume(write("v.dcm", cone_beam().file()));
+TEST_CASE_FIXTURE(Dicom, "frames with a common position are consecutive slices with a note") {
+  const auto reader = open_volume(put(cone_beam()));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
   CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
   CHECK(noted(reader->info(), "by SliceThickness"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "the distance of slices counts more than their thickness") {
-  const auto file = write("v.dcm", cone_beam().text(0x00180088, "DS", "2").file());
-  const auto reader = open_volume(file);
-  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2});
-  CHECK(noted(reader->info(), "2 mm apart, by SpacingBetweenSlices"));
+TEST_CASE_FIXTURE(Dicom, "frames have their distance, else their thickness, else 1 mm") {
+  const VolumeInfo info = read_info(put(cone_beam().text(0x00180088, "DS", "2")));
+  CHECK(info.spacing_mm == Spacing{0.5, 0.75, 2});
+  CHECK(noted(info, "2 mm apart, by SpacingBetweenSlices"));
+  const auto file = put(cone_beam().drop(0x00180050));
+  CHECK(read_info(file).spacing_mm == Spacing{0.5, 0.75, 1});
+  CHECK(noted(read_info(file), "SpacingBetweenSlices and SliceThickness are missing"));
+  CHECK(read_info(file, {{}, Spacing{1, 1, 3}}).spacing_mm == Spacing{1, 1, 3});
 }
 
-TEST_CASE_FIXTURE(Folder, "frames without any distance are 1 mm apart, with a note") {
-  const auto file = write("v.dcm", cone_beam().drop(0x00180050).file());
-  const auto reader = open_volume(file);
-  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 1});
-  CHECK(noted(reader->info(), "SpacingBetweenSlices and SliceThickness are missing"));
-  VolumeOptions options;
-  options.spacing_mm = Spacing{1, 1, 3};
-  CHECK(open_volume(file, options)->info().spacing_mm == Spacing{1, 1, 3});
-}
-
-TEST_CASE_FIXTURE(Folder, "frames with times are read as slices, with a note") {
+TEST_CASE_FIXTURE(Dicom, "frames with times are read as slices, with a note") {
   Dataset data = cone_beam();
   data.tags(0x00280009, 0x00181063).text(0x00181063, "DS", "33");
-  CHECK(noted(open_volume(write("v.dcm", data.file()))->info(),
-              "the frames have times (FrameTime), and are read as slices"));
+  CHECK(noted(read_info(put(data)), "the frames have times (FrameTime), and are read as slices"));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "uncounted frames are ignored with a note, and a missing count means one frame") {
+TEST_CASE_FIXTURE(Dicom, "uncounted frames are left out with a note; no count means one frame") {
   Dataset data = slice(0);
   data.samples(volume_values(), 16, true);
   for (const std::string count : {"0", "1"}) {
-    const auto reader = open_volume(write("v.dcm", data.text(0x00280008, "IS", count).file()));
+    const auto reader = open_volume(put(data.text(0x00280008, "IS", count)));
     CHECK(read_all(*reader) == as_read(slice_values(0)));
     CHECK(noted(reader->info(), "left out, as many as those of 4 further frames"));
   }
-  const auto whole = open_volume(write("v.dcm", slice(0).file()));
+  const auto whole = open_volume(put(slice(0)));
   read_all(*whole);
   CHECK_FALSE(noted(whole->info(), "left out"));
 }
 
-TEST_CASE_FIXTURE(Folder, "a slope of 0 is ignored with a note") {
+TEST_CASE_FIXTURE(Dicom, "a slope of 0 is ignored with a note") {
   const Dataset data = slice(0).text(0x00281053, "DS", "0").text(0x00281052, "DS", "7");
-  const VolumeInfo info = open_volume(write("v.dcm", data.file()))->info();
+  const VolumeInfo info = read_info(put(data));
   CHECK(info.slope == 1);
   CHECK(info.intercept == 0);
   CHECK(noted(info, "RescaleSlope is 0 and is ignored"));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "pixels that no decoder here reads are refused by the name of their packing") {
-  for (const auto& [uid, name] :
-       {std::pair<std::string, std::string>{"1.2.840.10008.1.2.4.201", "HTJ2K"},
-        {"1.2.840.10008.1.2.4.110", "JPEG XL"}}) {
-    check_refused(write("v.dcm", slice(0).file(Order::little_endian, uid)),
-                  "an image packed as " + name, uid);
-  }
-  const auto check = [&](const std::string& uid, const std::string& part) {
-    check_refused(write("v.dcm", slice(0).file(Order::little_endian, uid)), part);
-  };
-  check("1.2.840.10008.1.2.4.102",
-        "this is a video ('1.2.840.10008.1.2.4.102'); it is not a volume");
-  check("1.2.840.10008.1.2.4.107", "this is a video");
-  check("1.2.840.10008.1.2.4.94", "this is an image whose pixels are on a server, by JPIP");
-  check("1.2.840.10008.1.2.4.204", "an image whose pixels are on a server, by JPIP");
+TEST_CASE_FIXTURE(Folder, "pixels without a decoder are refused by the name of their packing") {
+  const std::string standard = "1.2.840.10008.1.2.4.";
+  const std::pair<std::string, std::string> cases[] = {
+      {"201", "an image packed as HTJ2K"},
+      {"201", standard + "201"},
+      {"110", "an image packed as JPEG XL"},
+      {"110", standard + "110"},
+      {"102", "this is a video ('" + standard + "102'); it is not a volume"},
+      {"107", "this is a video"},
+      {"94", "this is an image whose pixels are on a server, by JPIP"},
+      {"204", "an image whose pixels are on a server, by JPIP"}};
+  for (const auto& [number, part] : cases)
+    check_refused(write("v.dcm", slice(0).file(Order::little_endian, standard + number)), part);
 }
 
 TEST_CASE_FIXTURE(Folder, "samples of every type are read in either byte order") {
@@ -101,9 +85,9 @@ TEST_CASE_FIXTURE(Folder, "samples of every type are read in either byte order")
           Case{SampleType::u16, 16, false, 300}, Case{SampleType::i16, 16, true, 300},
           Case{SampleType::u32, 32, false, 20000001}, Case{SampleType::i32, 32, true, 20000001}}) {
       INFO(name(one.type));
-      std::vector<std::int64_t> values = volume_values();
-      for (std::int64_t& value : values)
-        value = one.factor * (value % 100 + (one.is_signed ? 0 : 100));
+      const auto values = changed(volume_values(), [&](std::int64_t value) {
+        return one.factor * (value % 100 + (one.is_signed ? 0 : 100));
+      });
       Dataset data = cone_beam();
       const auto reader =
           open_volume(write("v.dcm", data.samples(values, one.bits, one.is_signed).file(order)));
@@ -113,8 +97,7 @@ TEST_CASE_FIXTURE(Folder, "samples of every type are read in either byte order")
 }
 
 TEST_CASE_FIXTURE(Folder, "samples of floating point are read in either byte order") {
-  std::vector<double> values = as_read(volume_values());
-  for (double& value : values) value /= 64;
+  const auto values = changed(as_read(volume_values()), [](double value) { return value / 64; });
   for (const Order order : {Order::little_endian, Order::big_endian})
     for (const std::size_t bits : {32U, 64U}) {
       INFO(bits);
@@ -125,93 +108,81 @@ TEST_CASE_FIXTURE(Folder, "samples of floating point are read in either byte ord
     }
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "words of big-endian files that are called bytes are read in their order") {
+TEST_CASE_FIXTURE(Folder, "words called bytes in big-endian files are read in their order") {
   Dataset data = cone_beam();
-  std::vector<std::int64_t> values = volume_values();
-  for (std::int64_t& value : values) value *= 70001;
+  const auto values = changed(volume_values(), [](std::int64_t value) { return value * 70001; });
   const auto file = write("v.dcm", data.samples(values, 32, true, "OB").file(Order::big_endian));
-  CHECK(read_all(*open_volume(file)) == as_read(values));
+  CHECK(read_samples(file) == as_read(values));
 }
 
 TEST_CASE_FIXTURE(Folder, "samples of a byte are read from words of big-endian files") {
   Dataset data = cone_beam();
-  std::vector<std::int64_t> values = volume_values();
-  for (std::int64_t& value : values) value = 100 + value % 100;
+  const auto values =
+      changed(volume_values(), [](std::int64_t value) { return 100 + value % 100; });
   std::vector<std::int64_t> stored = values;
   REQUIRE(stored.size() % 2 == 0);
   for (std::size_t i = 0; i < stored.size(); i += 2) std::swap(stored[i], stored[i + 1]);
   const auto file = write("v.dcm", data.samples(stored, 8, false, "OW").file(Order::big_endian));
-  CHECK(read_all(*open_volume(file)) == as_read(values));
+  CHECK(read_samples(file) == as_read(values));
 }
 
-TEST_CASE_FIXTURE(Folder, "the values of a parametric map are real-world values") {
+TEST_CASE_FIXTURE(Dicom, "the values of a parametric map are real-world values") {
   Dataset mapping;
   mapping.real(0x00409225, {0.25}).real(0x00409224, {-3});
   Dataset data = cone_beam();
   data.sequence(0x00409096, {mapping});
-  CHECK(open_volume(write("ct.dcm", data.file()))->info().slope == 1);
+  CHECK(read_info(write("ct.dcm", data.file())).slope == 1);
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.30");
   Dataset shared;
-  const auto reader = open_volume(
-      write("v.dcm", data.sequence(0x52009229, {shared.sequence(0x00409096, {mapping})}).file()));
-  CHECK(reader->info().slope == 0.25);
-  CHECK(reader->info().intercept == -3);
+  const VolumeInfo info =
+      read_info(put(data.sequence(0x52009229, {shared.sequence(0x00409096, {mapping})})));
+  CHECK(info.slope == 0.25);
+  CHECK(info.intercept == -3);
 }
 
 // ---- doses ----
 
+std::vector<std::int64_t> raised(const std::vector<std::int64_t>& values) {
+  return changed(values, [](std::int64_t value) { return value + 2000; });
+}
+
 Dataset dose(const std::string& offsets) {
   Dataset data = frames("RTDOSE");
   put_at(data, position(0)).text(0x3004000c, "DS", offsets).text(0x3004000e, "DS", "0.02");
-  std::vector<std::int64_t> values = volume_values();
-  for (std::int64_t& value : values) value += 2000;
-  return data.text(0x30040002, "CS", "GY").samples(values, 32, false);
+  return data.text(0x30040002, "CS", "GY").samples(raised(volume_values()), 32, false);
 }
 
-std::vector<double> doses() {
-  std::vector<double> values = as_read(volume_values());
-  for (double& value : values) value += 2000;
-  return values;
-}
-
-TEST_CASE_FIXTURE(Folder, "a dose is in Gy, for relative and absolute offsets") {
+TEST_CASE_FIXTURE(Dicom, "a dose is in Gy, for relative and absolute offsets") {
   for (const std::string offsets :
        {"0\\2.5\\5\\7.5\\10", "100\\102.5\\105\\107.5\\110", "0.0\\2.5\\5.0\\7.5\\10.0"}) {
     INFO(offsets);
-    const auto reader = open_volume(write("v.dcm", dose(offsets).file()));
+    const auto reader = open_volume(put(dose(offsets)));
     check_places(reader->info(), {-10, -20, 100}, along_axes);
     CHECK(reader->info().slope == 0.02);
     CHECK(reader->info().intercept == 0);
     CHECK(noted(reader->info(), "values are doses in Gy"));
-    CHECK(read_all(*reader) == doses());
+    CHECK(read_all(*reader) == as_read(raised(volume_values())));
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a dose whose offsets fall is read from its other end") {
+TEST_CASE_FIXTURE(Dicom, "a dose whose offsets fall is read from its other end") {
   for (const std::string offsets : {"0\\-2.5\\-5\\-7.5\\-10", "100\\97.5\\95\\92.5\\90"}) {
     INFO(offsets);
-    const auto reader = open_volume(write("v.dcm", dose(offsets).file()));
+    const auto reader = open_volume(put(dose(offsets)));
     check_places(reader->info(), {-10, -20, 90}, along_axes);
-    std::vector<double> expected;
-    for (int z = depth; z-- > 0;)
-      for (const std::int64_t value : slice_values(z))
-        expected.push_back(static_cast<double>(value + 2000));
-    CHECK(read_all(*reader) == expected);
+    CHECK(read_all(*reader) == as_read(raised(reversed_values())));
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "positions as offsets are along z where the normal points down") {
+TEST_CASE_FIXTURE(Dicom, "positions as offsets are along z where the normal points down") {
   Dataset data = dose("100\\102.5\\105\\107.5\\110");
   put_at(data, position(0), {1, 0, 0, 0, -1, 0});
-  const auto reader = open_volume(write("v.dcm", data.file()));
-  check_places(reader->info(), {-10, -20, 110}, {{{0.5, 0, 0}, {0, -0.75, 0}, {0, 0, -2.5}}});
+  const VolumeInfo info = read_info(put(data));
+  check_places(info, {-10, -20, 110}, {{{0.5, 0, 0}, {0, -0.75, 0}, {0, 0, -2.5}}});
 }
 
-TEST_CASE_FIXTURE(Folder, "offsets that begin elsewhere or are uneven are refused") {
-  const auto refused = [&](const std::string& offsets) {
-    return refusal(write("v.dcm", dose(offsets).file()));
-  };
+TEST_CASE_FIXTURE(Dicom, "offsets that begin elsewhere or are uneven are refused") {
+  const auto refused = [&](const std::string& offsets) { return refusal(put(dose(offsets))); };
   check_refusal(refused("40\\42.5\\45\\47.5\\50"),
                 "GridFrameOffsetVector begins with 40, which is neither 0 nor the z");
   check_refusal(refused("0\\2.5\\5\\8.5\\11"), "2.5 mm apart, but 3.5 mm between");
@@ -221,18 +192,17 @@ TEST_CASE_FIXTURE(Folder, "offsets that begin elsewhere or are uneven are refuse
 TEST_CASE_FIXTURE(Folder, "a dose without a scale or relative is read with a note") {
   Dataset data = dose("0\\2.5\\5\\7.5\\10");
   const auto relative = write("r.dcm", data.text(0x30040002, "CS", "RELATIVE").file());
-  CHECK(noted(open_volume(relative)->info(), "values are relative doses"));
+  CHECK(noted(read_info(relative), "values are relative doses"));
   const auto unscaled = write("u.dcm", data.drop(0x3004000e).file());
-  CHECK(open_volume(unscaled)->info().slope == 1);
-  CHECK(noted(open_volume(unscaled)->info(), "a dose without DoseGridScaling"));
+  CHECK(read_info(unscaled).slope == 1);
+  CHECK(noted(read_info(unscaled), "a dose without DoseGridScaling"));
 }
 
-TEST_CASE_FIXTURE(Folder, "a dose without offsets is scaled, too") {
+TEST_CASE_FIXTURE(Dicom, "a dose without offsets is scaled, too") {
   Dataset data = dose("0");
-  const auto reader =
-      open_volume(write("v.dcm", data.drop(0x3004000c).text(0x00180050, "DS", "2.5").file()));
-  CHECK(reader->info().slope == 0.02);
-  check_places(reader->info(), {-10, -20, 100}, along_axes);
+  const VolumeInfo info = read_info(put(data.drop(0x3004000c).text(0x00180050, "DS", "2.5")));
+  CHECK(info.slope == 0.02);
+  check_places(info, {-10, -20, 100}, along_axes);
 }
 
 // ---- nuclear medicine ----
@@ -246,31 +216,24 @@ Dataset nuclear(const std::string& type = "RECON TOMO") {
       .sequence(0x00540022, {detector});
 }
 
-TEST_CASE_FIXTURE(
-    Folder,
-    "slices of nuclear medicine are placed by the detector and the sign of their distance") {
+TEST_CASE_FIXTURE(Dicom, "the detector and signed distance place slices of nuclear medicine") {
   Dataset data = nuclear();
-  const auto reader = open_volume(write("v.dcm", data.file()));
+  const auto reader = open_volume(put(data));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
   CHECK(read_all(*reader) == as_read(volume_values()));
-  const auto down = open_volume(write("down.dcm", data.text(0x00180088, "DS", "-2.5").file()));
-  check_places(down->info(), {-10, -20, 90}, along_axes);
+  const VolumeInfo down = read_info(write("down.dcm", data.text(0x00180088, "DS", "-2.5").file()));
+  check_places(down, {-10, -20, 90}, along_axes);
 }
 
-TEST_CASE_FIXTURE(Folder, "slices of nuclear medicine are in the order of their numbers") {
+TEST_CASE_FIXTURE(Dicom, "slices of nuclear medicine are in the order of their numbers") {
   Dataset data = nuclear();
-  const auto reader = open_volume(write("v.dcm", data.whole(0x00540080, {5, 4, 3, 2, 1}).file()));
-  std::vector<double> expected;
-  for (int z = depth; z-- > 0;)
-    for (const std::int64_t value : slice_values(z)) expected.push_back(static_cast<double>(value));
-  CHECK(read_all(*reader) == expected);
+  CHECK(read_samples(put(data.whole(0x00540080, {5, 4, 3, 2, 1}))) == as_read(reversed_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "pictures of a gamma camera are refused with their kind") {
-  for (const std::string type : {"STATIC", "TOMO", "WHOLE BODY"}) {
-    check_refused(write("v.dcm", nuclear(type).file()),
+TEST_CASE_FIXTURE(Dicom, "pictures of a gamma camera are refused with their kind") {
+  for (const std::string type : {"STATIC", "TOMO", "WHOLE BODY"})
+    check_refused(put(nuclear(type)),
                   "pictures of a gamma camera, not slices (image type " + type + ")", "RECON TOMO");
-  }
 }
 
 // ---- mosaics ----
@@ -332,52 +295,48 @@ Dataset mosaic(const std::string& header) {
   return data.samples(picture, 16, true);
 }
 
-TEST_CASE_FIXTURE(Folder, "a mosaic of Siemens is unfolded, and placed by its first slice") {
+TEST_CASE_FIXTURE(Dicom, "a mosaic of Siemens is unfolded, and placed by its first slice") {
   for (const bool is_newer : {true, false}) {
     INFO(is_newer);
     const std::string header = csa_header(csa_elements("1.00000000"), is_newer);
-    const auto reader = open_volume(write("v.dcm", mosaic(header).file()));
+    const auto reader = open_volume(put(mosaic(header)));
     CHECK(reader->info().dims == Dims{width, height, depth});
     check_places(reader->info(), {-10, -20, 100}, along_axes);
     CHECK(read_all(*reader) == as_read(volume_values()));
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "slices of a mosaic follow the slice normal of its header") {
+TEST_CASE_FIXTURE(Dicom, "slices of a mosaic follow the slice normal of its header") {
   const std::string header = csa_header(csa_elements("-1.00000000"), true);
-  const auto reader = open_volume(write("v.dcm", mosaic(header).file()));
+  const auto reader = open_volume(put(mosaic(header)));
   check_places(reader->info(), {-10, -20, 90}, along_axes);
-  std::vector<double> expected;
-  for (int z = depth; z-- > 0;)
-    for (const std::int64_t value : slice_values(z)) expected.push_back(static_cast<double>(value));
-  CHECK(read_all(*reader) == expected);
+  CHECK(read_all(*reader) == as_read(reversed_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "the header of a mosaic is found in any block") {
+TEST_CASE_FIXTURE(Dicom, "the header of a mosaic is found in any block") {
   Dataset data = mosaic("");
   data.text(0x00290010, "LO", "SIEMENS MEDCOM HEADER");
   data.text(0x00290011, "LO", "SIEMENS CSA HEADER");
   data.bytes(0x00291110, "OB", csa_header(csa_elements("1.0"), true));
-  CHECK(read_all(*open_volume(write("v.dcm", data.file()))) == as_read(volume_values()));
+  CHECK(read_samples(put(data)) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "a mosaic without a usable header is refused by name") {
+TEST_CASE_FIXTURE(Dicom, "a mosaic without a usable header is refused by name") {
   const std::string whole = csa_header(csa_elements("1.0"), true);
-  check_refused(write("v.dcm", mosaic("").file()),
+  check_refused(put(mosaic("")),
                 "a Siemens mosaic of an unknown number of slices without the CSA header");
   Dataset counted = mosaic("");
   counted.text(0x00190010, "LO", "SIEMENS MR HEADER").whole(0x0019100a, {5});
-  check_refused(write("v.dcm", counted.file()), "a Siemens mosaic of 5 slices");
+  check_refused(put(counted), "a Siemens mosaic of 5 slices");
   CsaElements many = csa_elements("1.0");
   many[1].second = {"50"};
-  check_refused(write("v.dcm", mosaic(csa_header(many, true)).file()),
+  check_refused(put(mosaic(csa_header(many, true))),
                 "mosaic of 50 slices that do not fit in 24 x 18 voxels");
   CsaElements aside = csa_elements("0.0");
-  check_refused(write("v.dcm", mosaic(csa_header(aside, true)).file()),
-                "whose SliceNormalVector is not a normal");
+  check_refused(put(mosaic(csa_header(aside, true))), "whose SliceNormalVector is not a normal");
   for (std::size_t size = 0; size <= whole.rfind("1.0"); size += 7) {
     INFO("cut at ", size);
-    check_refused(write("v.dcm", mosaic(whole.substr(0, size)).file()), "a Siemens mosaic of ");
+    check_refused(put(mosaic(whole.substr(0, size))), "a Siemens mosaic of ");
   }
 }
 

@@ -7,9 +7,8 @@ namespace {
 
 using namespace dicom_files;
 using namespace volume_files;
-using command_tests::contains;
+using command_tests::Workshop;
 using discmc::command::SliceOrder;
-using discmc::meshing::Axes;
 
 // A folder of slices. change: sets the differences of each slice.
 class Slices : public Folder {
@@ -24,6 +23,29 @@ class Slices : public Folder {
   }
 };
 
+// Slices at even distances, with positions that are rounded to tenths of a millimetre.
+template <class Change>
+void write_rounded(const Folder& folder, const std::vector<int>& numbers, double first, double step,
+                   Change change) {
+  for (const int z : numbers) {
+    Dataset data = slice(z % depth, std::to_string(z));
+    put_at(data, {-10.123456, -20, std::round(10 * (first + step * z)) / 10});
+    change(data);
+    folder.write("IM" + std::to_string(z), data.file());
+  }
+}
+
+std::vector<int> first_numbers(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+const double tilt = 15 * std::acos(-1.0) / 180;
+const std::vector<double> tilted = {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)};
+const Axes sheared = {
+    {{0.5, 0, 0}, {0, 0.75 * std::cos(tilt), -0.75 * std::sin(tilt)}, {0, 0, 2.5}}};
+
 Slices along_z(const std::vector<double>& places) {
   return Slices([&](Dataset& data, int z) {
     put_at(data, {-10, -20, places[static_cast<std::size_t>(z)]});
@@ -33,25 +55,20 @@ Slices along_z(const std::vector<double>& places) {
 TEST_CASE_FIXTURE(Folder, "files without a preamble are found among others by their contents") {
   for (int z = 0; z < depth; ++z) write("IM" + std::to_string(z), slice(z).encoded());
   write("notes", "not of the series, but in its folder");
-  CHECK(read_all(*open_volume(path())) == as_read(volume_values()));
-  CHECK(open_volume(path() / "IM3")->info().dims[2] == 1);
+  CHECK(read_samples(path()) == as_read(volume_values()));
+  CHECK(read_info(path() / "IM3").dims[2] == 1);
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "positions that are rounded to tenths have one step within the rounding") {
+TEST_CASE_FIXTURE(Folder, "positions rounded to tenths have one step within the rounding") {
   const double step = 0.625;
   for (const bool has_spacing : {true, false})
     for (const double begin : {40.0, 40.04}) {
       INFO(has_spacing, " from ", begin);
       const auto rounded = [&](int z) { return std::round(10 * (begin + step * z)) / 10; };
-      for (int z = 0; z < 16; ++z) {
-        Dataset data = slice(z % depth, std::to_string(z));
-        put_at(data, {-10.123456, -20, rounded(z)});
+      write_rounded(*this, first_numbers(16), begin, step, [&](Dataset& data) {
         if (has_spacing) data.text(0x00180050, "DS", "0.625");
-        write("IM" + std::to_string(z), data.file());
-      }
-      const auto reader = open_volume(path());
-      const VolumeInfo& info = reader->info();
+      });
+      const VolumeInfo info = read_info(path());
       CHECK(noted(info, "the positions are rounded, slices assumed to be 0.62"));
       const double found = std::fabs(info.spacing_mm[2]);
       CHECK(found == doctest::Approx(step).epsilon(has_spacing ? 1e-12 : 0.01));
@@ -67,28 +84,21 @@ TEST_CASE("rounded positions lie on a line in any direction") {
     for (double& coordinate : place) coordinate = std::round(10 * coordinate) / 10;
     put_at(data, place, orientation).text(0x00280030, "DS", "0.3\\0.3");
   });
-  const auto reader = open_volume(slices.path());
-  CHECK(std::fabs(reader->info().spacing_mm[2]) == doctest::Approx(2.5).epsilon(0.02));
+  const VolumeInfo info = read_info(slices.path());
+  CHECK(std::fabs(info.spacing_mm[2]) == doctest::Approx(2.5).epsilon(0.02));
 }
 
 TEST_CASE_FIXTURE(Folder, "a step in the file that does not fit the positions is ignored") {
-  for (int z = 0; z < 16; ++z) {
-    Dataset data = slice(z % depth, std::to_string(z));
-    put_at(data, {-10, -20, std::round(10 * (40 + 0.33 * z)) / 10});
-    write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.5").file());
-  }
-  CHECK(std::fabs(open_volume(path())->info().spacing_mm[2]) ==
-        doctest::Approx(0.33).epsilon(0.02));
+  write_rounded(*this, first_numbers(16), 40, 0.33,
+                [](Dataset& data) { data.text(0x00180050, "DS", "0.5"); });
+  CHECK(std::fabs(read_info(path()).spacing_mm[2]) == doctest::Approx(0.33).epsilon(0.02));
 }
 
 TEST_CASE_FIXTURE(Folder, "a missing slice is found among rounded positions") {
-  for (const int z : {0, 1, 2, 3, 5, 6, 7, 8, 9}) {
-    Dataset data = slice(z % depth, std::to_string(z));
-    put_at(data, {-10, -20, std::round(10 * (40 + 0.625 * z)) / 10});
-    write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.625").file());
-  }
+  write_rounded(*this, {0, 1, 2, 3, 5, 6, 7, 8, 9}, 40, 0.625,
+                [](Dataset& data) { data.text(0x00180050, "DS", "0.625"); });
   check_refused(path(), "1 slice is missing between 41.9 mm (IM3) and 43.1 mm");
-  CHECK(open_volume(path(), with(&VolumeOptions::allow_gaps, true))->info().dims[2] == 10);
+  CHECK(read_info(path(), gaps_allowed).dims[2] == 10);
 }
 
 TEST_CASE("uneven positions with more decimals are refused, not treated as rounded") {
@@ -110,56 +120,41 @@ std::string folder_of_growing(const Folder& folder, int count) {
 
 TEST_CASE("uneven distances of slices are noted, and refused from a quarter of a step on") {
   const Folder few, some, many;
-  CHECK(
-      !noted(open_volume(folder_of_growing(few, 4))->info(), "from their place at even distances"));
-  CHECK(noted(open_volume(folder_of_growing(some, 40))->info(), "slices lie up to 0.4"));
+  CHECK(!noted(read_info(folder_of_growing(few, 4)), "from their place at even distances"));
+  CHECK(noted(read_info(folder_of_growing(some, 40)), "slices lie up to 0.4"));
   check_refused(folder_of_growing(many, 60), "mm everywhere, slices would be 0.7");
 }
 
 TEST_CASE("a tilted gantry shears the volume as its slices lie, with a note") {
-  const double tilt = 15 * std::acos(-1.0) / 180;
-  const Slices slices([&](Dataset& data, int z) {
-    put_at(data, position(z), {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
-  });
+  const Slices slices([&](Dataset& data, int z) { put_at(data, position(z), tilted); });
   const auto reader = open_volume(slices.path());
   const VolumeInfo& info = reader->info();
-  check_places(info, {-10, -20, 100},
-               {{{0.5, 0, 0}, {0, 0.75 * std::cos(tilt), -0.75 * std::sin(tilt)}, {0, 0, 2.5}}});
+  check_places(info, {-10, -20, 100}, sheared);
   CHECK(noted(info, "as by a gantry tilted by 15 degrees; the volume is sheared accordingly"));
   CHECK(std::fabs(info.spacing_mm[2]) == 2.5);
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a tilted gantry whose positions are rounded shears by the step that fits") {
-  const double tilt = 15 * std::acos(-1.0) / 180;
-  for (int z = 0; z < 16; ++z) {
-    Dataset data = slice(z % depth, std::to_string(z));
-    put_at(data, {-10, -20, std::round(10 * (40 + 0.33 * z)) / 10},
-           {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
-    write("IM" + std::to_string(z), data.file());
-  }
-  const auto reader = open_volume(path());
-  CHECK(noted(reader->info(), "the positions are rounded"));
-  const auto& step = reader->info().placement->axes_mm[2];
+TEST_CASE_FIXTURE(Folder, "a tilted gantry with rounded positions shears by the step that fits") {
+  write_rounded(*this, first_numbers(16), 40, 0.33,
+                [](Dataset& data) { data.text(0x00200037, "DS", decimals(tilted)); });
+  const VolumeInfo info = read_info(path());
+  CHECK(noted(info, "the positions are rounded"));
+  const auto& step = info.placement->axes_mm[2];
   CHECK(std::fabs(step[1]) < 0.005);
   CHECK(step[2] == doctest::Approx(0.33).epsilon(0.02));
 }
 
-TEST_CASE("a tilted gantry shears the vertices like the voxels") {
-  const command_tests::Workshop workshop;
-  const double tilt = 15 * std::acos(-1.0) / 180;
-  const Axes axes = {
-      {{0.5, 0, 0}, {0, 0.75 * std::cos(tilt), -0.75 * std::sin(tilt)}, {0, 0, 2.5}}};
+TEST_CASE_FIXTURE(Workshop, "a tilted gantry shears the vertices like the voxels") {
   // One on voxel, (3, 2, 1).
   const Slices slices([&](Dataset& data, int z) {
-    put_at(data, position(z), {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
+    put_at(data, position(z), tilted);
     std::vector<std::int64_t> values(width * height, 0);
     if (z == 1) values[2 * width + 3] = 100;
     data.samples(values, 16, true);
   });
-  workshop.done("extract '" + slices.path().string() + "' --iso 50 -o v.obj");
-  const auto mesh = command_tests::mesh_of_obj(workshop.read("v.obj"));
+  done("extract '" + slices.path().string() + "' --iso 50 -o v.obj");
+  const auto mesh = mesh_in("v.obj");
   CHECK(mesh.vertices_mm.size() == 6);
   // An octahedron of half a voxel, with a sixth of the cell's volume.
   const double cell = 0.5 * 0.75 * std::cos(tilt) * 2.5;
@@ -168,7 +163,7 @@ TEST_CASE("a tilted gantry shears the vertices like the voxels") {
   for (const auto& vertex : mesh.vertices_mm)
     for (std::size_t i = 0; i < 3; ++i) middle[i] += vertex[i] / 6;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double expected = position(0)[i] + 3 * axes[0][i] + 2 * axes[1][i] + 1 * axes[2][i];
+    const double expected = position(0)[i] + 3 * sheared[0][i] + 2 * sheared[1][i] + sheared[2][i];
     CHECK(middle[i] == doctest::Approx(expected).epsilon(1e-6));
   }
 }
@@ -188,8 +183,7 @@ TEST_CASE("slices that are a little aside are straight") {
     place[0] += 0.002 * z;
     put_at(data, place);
   });
-  check_places(open_volume(slices.path())->info(), {-10, -20, 100},
-               {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
+  check_places(read_info(slices.path()), {-10, -20, 100}, along_axes);
 }
 
 // ---- decimals ----
@@ -200,42 +194,49 @@ TEST_CASE("a comma in decimals is a point, with a note") {
     data.text(0x00200032, "DS", "-10,0\\-20,0\\" + std::to_string(1000 + 25 * z).insert(3, ","));
   });
   const auto reader = open_volume(slices.path());
-  check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
+  check_places(reader->info(), {-10, -20, 100}, along_axes);
   CHECK(noted(reader->info(), "decimal commas are read as points"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "a text in place of a number is refused by the name of its element") {
+TEST_CASE_FIXTURE(Dicom, "a text in place of a number is refused by the name of its element") {
   Dataset data = slice(0);
-  const auto file = write("v.dcm", data.text(0x00280030, "DS", "0.75;0.5").file());
+  const auto file = put(data.text(0x00280030, "DS", "0.75;0.5"));
   check_refused(file, "an image whose PixelSpacing is '0.75;0.5', which is not a number",
                 "dcmodify -m PixelSpacing=VALUE FILE");
 }
 
-TEST_CASE("a missing spacing is named") {
-  const Slices slices([](Dataset& data, int) { data.drop(0x00280030); });
-  const auto reader = open_volume(slices.path());
-  CHECK(reader->info().spacing_mm == Spacing{1, 1, 2.5});
-  CHECK(noted(reader->info(), "no PixelSpacing"));
-  const Slices projected(
-      [](Dataset& data, int) { data.drop(0x00280030).text(0x00181164, "DS", "0.75\\0.5"); });
-  const auto stand_in = open_volume(projected.path());
-  CHECK(stand_in->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
-  CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing is used"));
-  const Slices regions([](Dataset& data, int) {
-    Dataset region;
-    region.whole(0x00186024, {3}).whole(0x00186026, {3}).real(0x0018602c, {0.05});
-    region.real(0x0018602e, {0.075});
-    data.drop(0x00280030).sequence(0x00186011, {region});
-  });
-  const auto by_region = open_volume(regions.path());
-  CHECK(by_region->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
-  CHECK(noted(by_region->info(), "no PixelSpacing, SequenceOfUltrasoundRegions is used"));
-  const Slices ratio(
-      [](Dataset& data, int) { data.drop(0x00280030).text(0x00280034, "IS", "3\\2"); });
-  const auto by_ratio = open_volume(ratio.path());
-  CHECK(by_ratio->info().spacing_mm == Spacing{1, 1.5, 2.5});
-  CHECK(noted(by_ratio->info(), "PixelAspectRatio is used, and 1 mm assumed along a row"));
+TEST_CASE("a missing spacing is replaced by that of another element, or noted") {
+  struct Case {
+    std::function<void(Dataset&)> change;
+    Spacing spacing;
+    std::string note;
+  };
+  const Case cases[] = {
+      {[](Dataset&) {}, {1, 1, 2.5}, "no PixelSpacing"},
+      {[](Dataset& data) { data.text(0x00181164, "DS", "0.75\\0.5"); },
+       {0.5, 0.75, 2.5},
+       "no PixelSpacing, ImagerPixelSpacing is used"},
+      {[](Dataset& data) { data.text(0x00182010, "DS", "0.75\\0.5"); },
+       {0.5, 0.75, 2.5},
+       "no PixelSpacing, NominalScannedPixelSpacing is used"},
+      {[](Dataset& data) {
+         Dataset region;
+         region.whole(0x00186024, {3}).whole(0x00186026, {3}).real(0x0018602c, {0.05});
+         data.sequence(0x00186011, {region.real(0x0018602e, {0.075})});
+       },
+       {0.5, 0.75, 2.5},
+       "no PixelSpacing, SequenceOfUltrasoundRegions is used"},
+      {[](Dataset& data) { data.text(0x00280034, "IS", "3\\2"); },
+       {1, 1.5, 2.5},
+       "PixelAspectRatio is used, and 1 mm assumed along a row"}};
+  for (const Case& one : cases) {
+    INFO(one.note);
+    const Slices slices([&](Dataset& data, int) { one.change(data.drop(0x00280030)); });
+    const VolumeInfo info = read_info(slices.path());
+    CHECK(info.spacing_mm == one.spacing);
+    CHECK(noted(info, one.note));
+  }
 }
 
 // ---- the order given by the user ----
@@ -265,9 +266,10 @@ TEST_CASE("slices that all have one position are read in an order on request") {
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
   CHECK(read_all(*reader) == as_read(volume_values()));
   CHECK(noted(reader->info(), "several slices have one position"));
+  CHECK(!reader->info().placement);
 }
 
-TEST_CASE_FIXTURE(Folder, "a palette of greys gives greys, and one of colours is refused") {
+TEST_CASE_FIXTURE(Dicom, "a palette of greys gives greys, and one of colours is refused") {
   std::vector<std::int64_t> samples;
   std::vector<double> expected;
   std::vector<std::uint64_t> words, low, pairs;
@@ -285,10 +287,10 @@ TEST_CASE_FIXTURE(Folder, "a palette of greys gives greys, and one of colours is
   for (const auto& [table, bits] : tables) {
     for (std::uint32_t colour = 0; colour < 3; ++colour)
       data.whole(0x00281101 + colour, {256, 0, bits}).whole(0x00281201 + colour, table);
-    CHECK(read_all(*open_volume(write("v.dcm", data.file()))) == expected);
+    CHECK(read_samples(put(data)) == expected);
   }
   data.whole(0x00281203, std::vector<std::uint64_t>(128, 0));
-  check_refused(write("v.dcm", data.file()), "a colour image, by its palette");
+  check_refused(put(data), "a colour image, by its palette");
 }
 
 TEST_CASE("slices of MONOCHROME1 and MONOCHROME2 are refused together") {
@@ -306,11 +308,10 @@ TEST_CASE("numbers that are missing among slices in their order are missing slic
                 "2 slices are missing between instance 10 (IM4) and instance 13 (IM1)");
   VolumeOptions options = ordered(SliceOrder::instance);
   options.allow_gaps = true;
-  CHECK(open_volume(slices.path(), options)->info().dims[2] == depth + 2);
+  CHECK(read_info(slices.path(), options).dims[2] == depth + 2);
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "files of several slices without positions are in the order of their numbers") {
+TEST_CASE_FIXTURE(Folder, "files of several slices without positions are sorted by number") {
   for (const int part : {1, 0}) {
     Dataset data = image("9." + std::to_string(part));
     std::vector<std::int64_t> values = slice_values(2 * part);
@@ -321,7 +322,7 @@ TEST_CASE_FIXTURE(Folder,
   std::vector<std::int64_t> expected;
   for (int z = 0; z < 4; ++z)
     for (const std::int64_t value : slice_values(z)) expected.push_back(value);
-  CHECK(read_all(*open_volume(path(), ordered(SliceOrder::instance))) == as_read(expected));
+  CHECK(read_samples(path(), ordered(SliceOrder::instance)) == as_read(expected));
 }
 
 TEST_CASE("slices without numbers or with the same are refused, and put in order by their names") {
@@ -339,40 +340,31 @@ TEST_CASE("slices without numbers or with the same are refused, and put in order
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("a requested order replaces positions that are all equal") {
-  const Slices slices(
-      [](Dataset& data, int) { put_at(data, position(0)).text(0x00180050, "DS", "2.5"); });
-  const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
-  CHECK(!reader->info().placement);
-  CHECK(read_all(*reader) == as_read(volume_values()));
-}
-
 TEST_CASE("slices with a UID each are one volume on request") {
   const Slices slices(
       [](Dataset& data, int z) { data.text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z)); });
   check_refused(slices.path(), "several volumes; choose ",
                 "or read them as slices of one volume with --merge-series:");
-  CHECK(read_all(*open_volume(slices.path(), with(&VolumeOptions::merges_series, true))) ==
+  CHECK(read_samples(slices.path(), with(&VolumeOptions::merges_series, true)) ==
         as_read(volume_values()));
 }
 
 TEST_CASE_FIXTURE(Folder, "options of DICOM are refused for other volumes") {
-  const auto file = write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  const auto file = write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   check_refused(file, ordered(SliceOrder::name), "leave out --order");
   check_refused(file, with(&VolumeOptions::merges_series, true), "leave out --merge-series");
 }
 
-TEST_CASE("the advice for slices without positions and with a UID each leads to a mesh") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "the advice for unplaced slices with a UID each leads to a mesh") {
   const Slices unplaced([](Dataset& data, int z) {
     data.drop(0x00200032).text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z));
   });
   const std::string folder = "'" + unplaced.path().string() + "'";
-  CHECK(contains(workshop.run("extract " + folder + " --iso 0 -o v.stl").error, "--merge-series"));
-  CHECK(contains(workshop.run("extract " + folder + " --iso 0 --merge-series -o v.stl").error,
+  CHECK(contains(run("extract " + folder + " --iso 0 -o v.stl").error, "--merge-series"));
+  CHECK(contains(run("extract " + folder + " --iso 0 --merge-series -o v.stl").error,
                  "--order instance"));
-  workshop.done("extract " + folder + " --iso 0 --merge-series --order instance -o v.stl");
-  workshop.done("extract " + folder + " --iso 0 --merge-series --order name -o v.stl");
+  done("extract " + folder + " --iso 0 --merge-series --order instance -o v.stl");
+  done("extract " + folder + " --iso 0 --merge-series --order name -o v.stl");
 }
 
 // ---- the location of the files ----
@@ -390,10 +382,10 @@ TEST_CASE("a DICOMDIR opens its folder") {
   const std::string bytes = directory.file();
   for (const std::string name : {"DICOMDIR", "dicomdir.dcm"}) {
     const auto file = slices.write(name, bytes);
-    CHECK(read_all(*open_volume(file)) == as_read(volume_values()));
+    CHECK(read_samples(file) == as_read(volume_values()));
   }
-  const auto reader = open_volume(slices.path());
-  CHECK(reader->info().notes.empty());
+  const VolumeInfo info = read_info(slices.path());
+  CHECK(info.notes.empty());
   const Folder alone;
   check_refused(alone.write("DICOMDIR", bytes), "there is no image beside the DICOMDIR");
 }
@@ -417,8 +409,8 @@ TEST_CASE_FIXTURE(Folder, "slices that are packed one by one are read") {
 TEST_CASE("dangling symbolic links are reported by name") {
   const Slices slices([](Dataset&, int) {});
   fs::create_symlink("/nowhere/IM9", slices.path() / "IM9");
-  const auto reader = open_volume(slices.path());
-  CHECK(noted(reader->info(), "links that lead nowhere: 1, such as 'IM9'"));
+  const VolumeInfo info = read_info(slices.path());
+  CHECK(noted(info, "links that lead nowhere: 1, such as 'IM9'"));
   fs::remove(slices.path() / "IM2");
   check_refused(slices.path(), "1 slice is missing between",
                 "(links that lead nowhere: 1, such as 'IM9'); ");
@@ -439,10 +431,10 @@ TEST_CASE("files whose names begin with a dot are ignored") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "padding is reported as a value, with sign or without") {
+TEST_CASE_FIXTURE(Dicom, "padding is reported as a value, with sign or without") {
   const auto told = [&](Dataset data) {
     data.text(0x00281052, "DS", "-1024").text(0x00281053, "DS", "2");
-    return open_volume(write("v.dcm", data.file()))->info().padding;
+    return read_info(put(data)).padding;
   };
   CHECK(!told(frames()));
   Dataset data = frames();

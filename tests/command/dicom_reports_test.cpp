@@ -11,7 +11,6 @@ using namespace volume_files;
 constexpr std::uint32_t patient_id = 0x00100020, study = 0x0020000d,
                         frame_of_reference = 0x00200052, pixel_spacing = 0x00280030;
 
-// All slices, changed by `change(data, z)`.
 template <class Change>
 void write_slices(const Folder& folder, const std::string& prefix, Change change) {
   for (int z = 0; z < depth; ++z) {
@@ -21,35 +20,7 @@ void write_slices(const Folder& folder, const std::string& prefix, Change change
   }
 }
 
-// A file of frames in functional groups. add: the items of each frame.
-template <class Add>
-Dataset enhanced(int count, Add add) {
-  Dataset measures, shared, orientation;
-  measures.text(pixel_spacing, "DS", "0.75\\0.5").text(0x00180050, "DS", "2.5");
-  orientation.text(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
-  shared.sequence(0x00289110, {measures}).sequence(0x00209116, {orientation});
-  std::vector<Dataset> groups;
-  std::vector<std::int64_t> samples;
-  for (int i = 0; i < count; ++i) {
-    Dataset group;
-    const int z = add(group, i);
-    groups.push_back(group);
-    for (const std::int64_t value : slice_values(z)) samples.push_back(value);
-  }
-  Dataset data = image("9", "MR");
-  data.drop(pixel_spacing).sequence(0x52009229, {shared}).sequence(0x52009230, groups);
-  data.text(0x00280008, "IS", std::to_string(count));
-  return data.samples(samples, 16, true);
-}
-
-Dataset& place_frame(Dataset& group, int z) {
-  Dataset place;
-  place.text(0x00200032, "DS", decimals(position(z)));
-  return group.sequence(0x00209113, {place});
-}
-
-TEST_CASE_FIXTURE(
-    Folder, "patients, studies and frames of reference under one UID are volumes of their own") {
+TEST_CASE_FIXTURE(Folder, "each patient, study and frame of reference under one UID is a volume") {
   for (const std::uint32_t tag : {patient_id, study, frame_of_reference}) {
     INFO(tag);
     for (const std::string of : {"1.1", "1.2"})
@@ -63,20 +34,18 @@ TEST_CASE_FIXTURE(
     check_refused(path(), options, "several volumes");
     options.merges_series = false;
     options.series = "2";
-    CHECK(read_all(*open_volume(path(), options)) == as_read(volume_values()));
+    CHECK(read_samples(path(), options) == as_read(volume_values()));
   }
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "frames of reference that differ in every slice do not separate volumes") {
+TEST_CASE_FIXTURE(Folder, "a frame of reference per slice does not separate volumes") {
   write_slices(*this, "a", [](Dataset& data, int z) {
     data.text(frame_of_reference, "UI", "1.9." + std::to_string(z));
   });
-  CHECK(read_all(*open_volume(path())) == as_read(volume_values()));
+  CHECK(read_samples(path()) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "stacks acquired in turn are one volume, and stacks side by side are several") {
+TEST_CASE_FIXTURE(Folder, "stacks acquired in turn are one volume, stacks side by side several") {
   const auto stacks = [&](bool are_in_turn) {
     return enhanced(depth,
                     [are_in_turn](Dataset& group, int z) {
@@ -86,75 +55,65 @@ TEST_CASE_FIXTURE(Folder,
                           0x00200032, "DS",
                           decimals({-10, -20, 100 + 2.5 * z + (are_in_turn || z < 3 ? 0 : 40)}));
                       group.sequence(0x00209111, {content}).sequence(0x00209113, {place});
-                      return z;
+                      return slice_values(z);
                     })
         .file();
   };
-  CHECK(read_all(*open_volume(write("a.dcm", stacks(true)))) == as_read(volume_values()));
+  CHECK(read_samples(write("a.dcm", stacks(true))) == as_read(volume_values()));
   check_refused(write("b.dcm", stacks(false)),
                 "3 slices of 8 x 6, 'MR', stack '0', at 100 to 105 mm",
                 "2 slices of 8 x 6, 'MR', stack '1', at 147.5 to 150 mm");
 }
 
-TEST_CASE_FIXTURE(Folder, "labels and controls of spin labelling are volumes") {
-  const auto file =
-      write("a.dcm", enhanced(2 * depth, [](Dataset& group, int i) {
-                       Dataset labelling;
-                       labelling.text(0x00189257, "CS", i < depth ? "LABEL" : "CONTROL");
-                       place_frame(group, i % depth).sequence(0x00189251, {labelling});
-                       return i % depth;
-                     }).file());
+TEST_CASE_FIXTURE(Dicom, "labels and controls of spin labelling are volumes") {
+  const auto file = put(enhanced(2 * depth, [](Dataset& group, int i) {
+    Dataset labelling;
+    labelling.text(0x00189257, "CS", i < depth ? "LABEL" : "CONTROL");
+    place_frame(group, i % depth).sequence(0x00189251, {labelling});
+    return slice_values(i % depth);
+  }));
   check_refused(file, "label or control 'CONTROL'");
-  CHECK(read_all(*open_volume(file, {{}, {}, "2"})) == as_read(volume_values()));
+  CHECK(read_samples(file, {{}, {}, "2"}) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "volumes of ultrasound lie in their own space, with frames in either direction") {
+TEST_CASE_FIXTURE(Dicom, "volumes of ultrasound lie in their own space, in either direction") {
   Dataset data = enhanced(depth, [](Dataset& group, int i) {
     Dataset place, orientation;
     place.real(0x00209301, {0, 0, 2.5 * (depth - 1 - i)});
     orientation.real(0x00209302, {1, 0, 0, 0, 1, 0});
     group.sequence(0x0020930e, {place}).sequence(0x0020930f, {orientation});
-    return depth - 1 - i;
+    return slice_values(depth - 1 - i);
   });
-  const auto reader = open_volume(write("a.dcm", data.file()));
+  const auto reader = open_volume(put(data));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK_FALSE(noted(reader->info(), "no positions"));
-  CHECK((!reader->info().placement || reader->info().placement->space == discmc::Space::scanner));
+  CHECK((!reader->info().placement || reader->info().placement->space == Space::scanner));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "MOSAIC in the image type is no mosaic where frames have positions") {
+TEST_CASE_FIXTURE(Dicom, "MOSAIC in the image type is no mosaic where frames have positions") {
   Dataset data = enhanced(depth, [](Dataset& group, int z) {
     place_frame(group, z);
-    return z;
+    return slice_values(z);
   });
   data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC");
-  CHECK(read_all(*open_volume(write("a.dcm", data.file()))) == as_read(volume_values()));
+  CHECK(read_samples(put(data)) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "frames in one place are slices by their thickness if all else is equal") {
-  const auto reader = open_volume(write("a.dcm", enhanced(depth, [](Dataset& group, int z) {
-                                                   place_frame(group, 0);
-                                                   return z;
-                                                 }).file()));
+TEST_CASE_FIXTURE(Dicom, "equal frames in one place are slices by their thickness") {
+  const auto reader = open_volume(put(enhanced(depth, [](Dataset& group, int z) {
+    place_frame(group, 0);
+    return slice_values(z);
+  })));
   CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("the scanned spacing replaces a spacing that is missing or 0") {
-  const Folder scanned, zero;
-  write_slices(scanned, "a", [](Dataset& data, int) {
-    data.drop(pixel_spacing).text(0x00182010, "DS", "0.75\\0.5");
-  });
-  const auto reader = open_volume(scanned.path());
-  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
-  CHECK(noted(reader->info(), "no PixelSpacing, NominalScannedPixelSpacing is used"));
+TEST_CASE_FIXTURE(Folder, "a spacing of 0 or less is noted, and 1 mm is assumed") {
   for (const std::string none : {"0\\0", "-0.75\\-0.5"}) {
-    write_slices(zero, "a", [&](Dataset& data, int) { data.text(pixel_spacing, "DS", none); });
-    CHECK(noted(open_volume(zero.path())->info(), "PixelSpacing is "));
-    CHECK(noted(open_volume(zero.path())->info(), "1 mm assumed"));
+    write_slices(*this, "a", [&](Dataset& data, int) { data.text(pixel_spacing, "DS", none); });
+    CHECK(noted(read_info(path()), "PixelSpacing is "));
+    CHECK(noted(read_info(path()), "1 mm assumed"));
   }
 }
 
@@ -163,13 +122,13 @@ TEST_CASE("slices that are a little off their places are read with a note") {
   write_slices(along, "a", [](Dataset& data, int z) {
     put_at(data, {-10, -20, 100 + 2.5 * z + (z == 2 ? 0.123 : 0)});
   });
-  CHECK(noted(open_volume(along.path())->info(), "slices lie up to 0.123 mm from their place"));
+  CHECK(noted(read_info(along.path()), "slices lie up to 0.123 mm from their place"));
   write_slices(aside, "a", [](Dataset& data, int z) {
     put_at(data, {-10 + (z == 2 ? 0.123 : 0), -20, 100 + 2.5 * z});
   });
-  const auto reader = open_volume(aside.path());
-  CHECK(noted(reader->info(), "slices lie up to 0.123 mm aside of a straight line"));
-  check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
+  const VolumeInfo info = read_info(aside.path());
+  CHECK(noted(info, "slices lie up to 0.123 mm aside of a straight line"));
+  check_places(info, {-10, -20, 100}, along_axes);
 }
 
 TEST_CASE_FIXTURE(Folder, "the refusal of a shift names the slices on both sides") {
@@ -179,8 +138,7 @@ TEST_CASE_FIXTURE(Folder, "the refusal of a shift names the slices on both sides
   check_refused(path(), "a3 is shifted sideways by 10 mm against a2");
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "the refusal of slices in one place counts the places that hold several") {
+TEST_CASE_FIXTURE(Folder, "the refusal of slices in one place counts places with several") {
   write_slices(*this, "a", [](Dataset&, int) {});
   for (const int z : {1, 2}) {
     Dataset other = slice(z + 1, "other" + std::to_string(z));
@@ -193,11 +151,10 @@ TEST_CASE_FIXTURE(Folder,
 TEST_CASE_FIXTURE(Folder, "elements of unknown kind are read by their tags") {
   write_slices(*this, "a",
                [](Dataset& data, int) { data.bytes(pixel_spacing, "UN", "0.75\\0.5"); });
-  CHECK(open_volume(path())->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+  CHECK(read_info(path()).spacing_mm == Spacing{0.5, 0.75, 2.5});
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "content that contradicts the transfer syntax of the header is read with a note") {
+TEST_CASE_FIXTURE(Folder, "content that contradicts its transfer syntax is read with a note") {
   for (int z = 0; z < depth; ++z)
     write("a" + std::to_string(z), slice(z).file(Order::little_endian, "1.2.840.10008.1.2"));
   const auto reader = open_volume(path());
@@ -205,27 +162,23 @@ TEST_CASE_FIXTURE(
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "contours are refused with the program that converts them to masks") {
+TEST_CASE_FIXTURE(Dicom, "contours are refused with the program that converts them to masks") {
   Dataset liver, data;
   liver.text(0x30060026, "LO", "Liver");
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.481.3").text(0x00080060, "CS", "RTSTRUCT");
   data.sequence(0x30060020, {liver});
-  check_refused(write("a.dcm", data.file()), "this is an RTSTRUCT, the contours 'Liver'",
-                "dcmrtstruct2nii");
+  check_refused(put(data), "this is an RTSTRUCT, the contours 'Liver'", "dcmrtstruct2nii");
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a document in a DICOM file is refused with the command that extracts it") {
+TEST_CASE_FIXTURE(Dicom, "a document in DICOM is refused with the command that extracts it") {
   Dataset data;
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.104.3").text(0x00080060, "CS", "M3D");
   data.text(0x00420012, "LO", "model/stl").bytes(0x00420011, "OB", "solid");
-  check_refused(write("a.dcm", data.file()),
-                "this is a document in a DICOM file ('model/stl'); it is not a volume",
+  check_refused(put(data), "this is a document in a DICOM file ('model/stl'); it is not a volume",
                 "EncapsulatedDocument");
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a file named as DICOM that has another format is refused with that format") {
+TEST_CASE_FIXTURE(Folder, "a file of another format named as DICOM is refused by its format") {
   const std::string jpeg = "\xff\xd8\xff\xe0 JFIF";
   check_refused(write("i.jpg.dcm", jpeg), "this is JPEG, and not DICOM; rename it");
   const std::string parts = "--bnd\r\nContent-Type: application/dicom\r\n\r\n";
@@ -253,7 +206,7 @@ TEST_CASE_FIXTURE(
     check_refused(write("y.dcm", data.file()), "the file holds 3 channels ('Y', 'Cb', 'Cr')");
     fs::remove(path() / "y.dcm");
     for (const std::uint32_t channel : {0U, 2U}) {
-      const auto values = read_all(*open_volume(file, with(&VolumeOptions::channel, channel)));
+      const auto values = read_samples(file, of_channel(channel));
       REQUIRE(values.size() == depth * count);
       for (std::size_t i = 0; i < values.size(); ++i)
         REQUIRE(values[i] == static_cast<double>((7 * i + 50 * channel) % 256));

@@ -94,12 +94,11 @@ TEST_CASE_FIXTURE(Folder, "RLE of 8, 16 and 32 bits is read with and without sig
         fragments.push_back(rle(segments({begin, begin + width * height}, bits / 8)));
       const auto path =
           write("v.dcm", data.fragments(fragments).file(Order::little_endian, rle_syntax));
-      CHECK(read_all(*open_volume(path)) == as_read(values));
+      CHECK(read_samples(path) == as_read(values));
     }
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "RLE runs of every length are read, also across rows, and code 128 is skipped") {
+TEST_CASE_FIXTURE(Folder, "RLE runs of every length are read across rows; 128 is skipped") {
   std::string plane;
   std::string segment = "\x80";
   for (int length = 1; length <= 128; ++length) {
@@ -120,11 +119,10 @@ TEST_CASE_FIXTURE(Folder,
       .whole(0x00280011, {columns});
   const auto path =
       write("v.dcm", data.fragments({rle({segment})}).file(Order::little_endian, rle_syntax));
-  CHECK(read_all(*open_volume(path)) == as_read(values));
+  CHECK(read_samples(path) == as_read(values));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "an RLE frame in several fragments is read if offsets separate the frames") {
+TEST_CASE_FIXTURE(Folder, "an RLE frame in several fragments is read if offsets separate it") {
   Strings fragments;
   std::vector<std::uint64_t> offsets;
   std::uint64_t offset = 0;
@@ -135,8 +133,7 @@ TEST_CASE_FIXTURE(Folder,
       offset += 8 + part.size();
     }
   }
-  CHECK(read_all(*open_volume(write("v.dcm", file(fragments, offsets)))) ==
-        as_read(volume_values()));
+  CHECK(read_samples(write("v.dcm", file(fragments, offsets))) == as_read(volume_values()));
   check_refused(write("v.dcm", file(fragments)),
                 "frame 0 (the first is 0): its part of the compressed pixel data is unknown");
   ++offsets[3];

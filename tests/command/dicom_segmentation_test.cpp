@@ -8,7 +8,6 @@ namespace {
 
 using namespace dicom_files;
 using namespace volume_files;
-using command_tests::contains;
 using discmc::command::Srgb;
 
 using Voxels = std::vector<std::uint8_t>;
@@ -81,20 +80,26 @@ std::string name_of(const VolumeInfo& info, int value, std::uint32_t layer = 0) 
   return "";
 }
 
+struct Segments : Dicom {
+  // All frames are those of segment 3.
+  fs::path write_rib(const std::vector<SegmentFrame>& frames,
+                     const SegmentSlices& slices = {}) const {
+    return put(segmentation("BINARY", {segment(3, "Rib")}, frames, slices));
+  }
+};
+
 const std::vector<Dataset> liver_and_spleen = {segment(1, "Liver"), segment(2, "Spleen")};
 
-TEST_CASE_FIXTURE(Folder, "bits of segments are one volume of their numbers, with their names") {
-  const auto file = write(
-      "v.dcm",
+TEST_CASE_FIXTURE(Dicom, "bits of segments are one volume of their numbers, with their names") {
+  const auto file = put(
       segmentation("BINARY", liver_and_spleen,
-                   {{2, 1, box(5, 6, 0, 5)}, {1, 0, box(0, 2, 1, 2)}, {1, 1, box(0, 3, 1, 4)}})
-          .file());
+                   {{2, 1, box(5, 6, 0, 5)}, {1, 0, box(0, 2, 1, 2)}, {1, 1, box(0, 3, 1, 4)}}));
   const auto reader = open_volume(file);
   const VolumeInfo& info = reader->info();
   CHECK(info.dims == Dims{width, height, 2});
   CHECK(info.type == SampleType::u8);
   CHECK(info.format == "DICOM segmentation");
-  check_places(info, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
+  check_places(info, {-10, -20, 100}, along_axes);
   CHECK(name_of(info, 1) == "Liver");
   CHECK(name_of(info, 2) == "Spleen");
   Voxels second = box(0, 3, 1, 4);
@@ -103,41 +108,29 @@ TEST_CASE_FIXTURE(Folder, "bits of segments are one volume of their numbers, wit
   CHECK(read_all(*reader) == slices_of({box(0, 2, 1, 2), second}));
 }
 
-TEST_CASE_FIXTURE(Folder, "slices without any segment are empty") {
-  const auto file = write("v.dcm", segmentation("BINARY", {segment(3, "Rib")},
-                                                {{3, 4, box(0, 1, 0, 1)}, {3, 1, box(2, 3, 2, 3)}})
-                                       .file());
-  const auto reader = open_volume(file);
-  check_places(reader->info(), {-10, -20, 102.5}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
+TEST_CASE_FIXTURE(Segments, "slices without any segment are empty") {
+  const auto reader = open_volume(write_rib({{3, 4, box(0, 1, 0, 1)}, {3, 1, box(2, 3, 2, 3)}}));
+  check_places(reader->info(), {-10, -20, 102.5}, along_axes);
   const Voxels none(voxels_of_slice, 0);
   CHECK(read_all(*reader) == slices_of({box(2, 3, 2, 3, 3), none, none, box(0, 1, 0, 1, 3)}));
   CHECK(noted(reader->info(), "no two slices are the 2.5 mm of SpacingBetweenSlices apart"));
 }
 
-TEST_CASE_FIXTURE(Folder, "a SliceThickness that no two slices are apart is not their distance") {
+TEST_CASE_FIXTURE(Segments, "a SliceThickness that no two slices are apart is not their distance") {
   constexpr std::uint32_t thickness = 0x00180050;
-  const auto file = write(
-      "v.dcm",
-      segmentation("BINARY", {segment(3, "Rib")},
-                   {{3, 0, box(0, 1, 0, 1)}, {3, 2, box(0, 1, 0, 1)}, {3, 4, box(2, 3, 2, 3)}},
-                   {thickness})
-          .file());
-  const auto reader = open_volume(file);
-  CHECK(reader->info().dims[2] == 3);
-  check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 5}}});
-  CHECK(noted(reader->info(), "the slices are 5 mm apart, not the 2.5 mm of SliceThickness"));
+  const VolumeInfo info = read_info(write_rib(
+      {{3, 0, box(0, 1, 0, 1)}, {3, 2, box(0, 1, 0, 1)}, {3, 4, box(2, 3, 2, 3)}}, {thickness}));
+  CHECK(info.dims[2] == 3);
+  check_places(info, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 5}}});
+  CHECK(noted(info, "the slices are 5 mm apart, not the 2.5 mm of SliceThickness"));
 }
 
-TEST_CASE_FIXTURE(Folder, "slices of segments that are shifted aside shear the volume") {
-  const auto file = write(
-      "v.dcm",
-      segmentation("BINARY", {segment(3, "Rib")},
-                   {{3, 0, box(0, 1, 0, 1)}, {3, 1, box(0, 1, 0, 1)}, {3, 3, box(2, 3, 2, 3)}},
-                   {0x00180088, 0.5})
-          .file());
-  const auto reader = open_volume(file);
-  check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0.5, 0, 2.5}}});
-  CHECK(noted(reader->info(), "each slice is shifted by 0.5 mm"));
+TEST_CASE_FIXTURE(Segments, "slices of segments that are shifted aside shear the volume") {
+  const VolumeInfo info = read_info(
+      write_rib({{3, 0, box(0, 1, 0, 1)}, {3, 1, box(0, 1, 0, 1)}, {3, 3, box(2, 3, 2, 3)}},
+                {0x00180088, 0.5}));
+  check_places(info, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0.5, 0, 2.5}}});
+  CHECK(noted(info, "each slice is shifted by 0.5 mm"));
 }
 
 TEST_CASE_FIXTURE(Folder, "frames of bits begin within a byte") {
@@ -159,17 +152,15 @@ TEST_CASE_FIXTURE(Folder, "frames of bits begin within a byte") {
   data.whole(0x00280010, {high}).whole(0x00280011, {odd}).sequence(0x52009230, groups);
   data.text(0x00280008, "IS", std::to_string(depth)).bits(bits);
   for (const Order order : {Order::little_endian, Order::big_endian})
-    CHECK(read_all(*open_volume(write("v.dcm", data.file(order)))) == expected);
+    CHECK(read_samples(write("v.dcm", data.file(order))) == expected);
 }
 
-TEST_CASE_FIXTURE(Folder, "segments that overlap are in several volumes, each with its names") {
-  const auto file = write(
-      "v.dcm",
+TEST_CASE_FIXTURE(Dicom, "segments that overlap are in several volumes, each with its names") {
+  const auto file = put(
       segmentation("BINARY", {segment(1, "Liver"), segment(2, "Tumour"), segment(5, "Rib")},
-                   {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}, {5, 0, box(7, 7, 0, 0)}})
-          .file());
+                   {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}, {5, 0, box(7, 7, 0, 0)}}));
   check_refused(file, "2 volumes");
-  VolumeOptions options = with(&VolumeOptions::frame, 0);
+  VolumeOptions options = of_frame(0);
   auto reader = open_volume(file, options);
   CHECK(reader->info().frames == 2);
   Voxels first = box(0, 3, 0, 3);
@@ -183,13 +174,12 @@ TEST_CASE_FIXTURE(Folder, "segments that overlap are in several volumes, each wi
   CHECK(read_all(*reader) == slices_of({box(2, 5, 2, 5, 2)}));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "segments are in several volumes even if the file states that none overlap") {
+TEST_CASE_FIXTURE(Dicom, "segments overlap even if the file states that none does") {
   const auto volumes = [this](const Voxels& second) {
     Dataset data =
         segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 3, 0, 3)}, {2, 0, second}});
-    const auto file = write("v.dcm", data.text(0x00620013, "CS", "NO").file());
-    return open_volume(file, with(&VolumeOptions::frame, 0))->info().frames;
+    const auto file = put(data.text(0x00620013, "CS", "NO"));
+    return read_info(file, of_frame(0)).frames;
   };
   CHECK(volumes(box(4, 5, 2, 5)) == 1);
   CHECK(volumes(box(2, 5, 2, 5)) == 2);
@@ -212,14 +202,13 @@ TEST_CASE("segments that lie beside each other in other slices do not overlap") 
   CHECK(layers.at(4) == 0);
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "voxels with a fraction of at least a half belong to the segment, with a note") {
+TEST_CASE_FIXTURE(Dicom, "voxels belong to a segment from a fraction of a half on") {
   Voxels fractions(voxels_of_slice, 0);
   fractions[3] = 99;
   fractions[4] = 100;
   fractions[5] = 200;
   Dataset data = segmentation("FRACTIONAL", {segment(1, "Liver")}, {{1, 0, fractions}});
-  const auto reader = open_volume(write("v.dcm", data.whole(0x0062000e, {200}).file()));
+  const auto reader = open_volume(put(data.whole(0x0062000e, {200})));
   CHECK(noted(reader->info(), "a voxel belongs to a segment from a half on"));
   CHECK(name_of(reader->info(), 1) == "Liver");
   Voxels expected(voxels_of_slice, 0);
@@ -227,13 +216,13 @@ TEST_CASE_FIXTURE(Folder,
   CHECK(read_all(*reader) == slices_of({expected}));
 }
 
-TEST_CASE_FIXTURE(Folder, "a map of labels is read unchanged, also with a palette") {
+TEST_CASE_FIXTURE(Dicom, "a map of labels is read unchanged, also with a palette") {
   Voxels labels = box(0, 3, 0, 3, 1);
   labels[20] = 2;
   Dataset data =
       segmentation("LABELMAP", liver_and_spleen, {{0, 0, labels}, {0, 2, box(1, 1, 1, 1, 2)}});
   data.text(0x00280004, "CS", "PALETTE COLOR");
-  const auto reader = open_volume(write("v.dcm", data.file()));
+  const auto reader = open_volume(put(data));
   CHECK(name_of(reader->info(), 2) == "Spleen");
   CHECK(read_all(*reader) == slices_of({labels, Voxels(voxels_of_slice, 0), box(1, 1, 1, 1, 2)}));
 }
@@ -250,25 +239,12 @@ TEST_CASE("colours of segments are converted to sRGB") {
   CHECK(srgb_of_cielab({56638, 32897, 42532}) == Srgb{241, 214, 145});
 }
 
-TEST_CASE_FIXTURE(Folder, "names of segments are converted to UTF-8") {
-  Dataset data = segmentation("BINARY",
-                              {segment(1,
-                                       "Sch\xe4"
-                                       "del")},
-                              {{1, 0, box(0, 1, 0, 1)}});
-  const auto latin = write("v.dcm", data.text(0x00080005, "CS", "ISO_IR 100").file());
-  CHECK(name_of(open_volume(latin)->info(), 1) ==
-        "Sch\xc3\xa4"
-        "del");
-}
-
-TEST_CASE_FIXTURE(Folder, "a segmentation without positions or with uneven ones is refused") {
+TEST_CASE_FIXTURE(Dicom, "a segmentation without positions or with uneven ones is refused") {
   Dataset unplaced = segmentation("BINARY", {segment(1, "Liver")}, {{1, 0, box(0, 1, 0, 1)}});
-  check_refused(write("v.dcm", unplaced.drop(0x52009229).file()),
-                "a segmentation whose frames have no position");
+  check_refused(put(unplaced.drop(0x52009229)), "a segmentation whose frames have no position");
   Dataset twice = segmentation("BINARY", {segment(1, "Liver")},
                                {{1, 0, box(0, 1, 0, 1)}, {1, 0, box(2, 3, 0, 1)}});
-  check_refused(write("v.dcm", twice.file()), "two frames have the same place and segment");
+  check_refused(put(twice), "two frames have the same place and segment");
 }
 
 TEST_CASE_FIXTURE(Folder, "segmentations beside an image are volumes of their own") {
@@ -276,24 +252,24 @@ TEST_CASE_FIXTURE(Folder, "segmentations beside an image are volumes of their ow
   Dataset data = segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 1, 0, 1)}});
   write("seg.dcm", data.text(0x0020000e, "UI", "1.2.9").file());
   check_refused(path(), "1 frame of 8 x 6, 'SEG', 2 segments, UID 1.2.9");
-  CHECK(open_volume(path(), with(&VolumeOptions::series, "1.2.9"))->info().format ==
-        "DICOM segmentation");
+  CHECK(read_info(path(), with(&VolumeOptions::series, "1.2.9")).format == "DICOM segmentation");
 }
 
-TEST_CASE_FIXTURE(Folder, "names in the character sets of Asia are UTF-8") {
+TEST_CASE_FIXTURE(Dicom, "names of segments are converted to UTF-8 from any character set") {
   const struct {
     const char *set, *name, *utf8;
   } cases[] = {{"\\ISO 2022 IR 87", "\x1b$B4NB!\x1b(B", "\xe8\x82\x9d\xe8\x87\x93"},
                {"ISO 2022 IR 13\\ISO 2022 IR 87", "\xd4\x1b$B4N\x1b(J", "\xef\xbe\x94\xe8\x82\x9d"},
                {"", "\xc6rea", "\xc3\x86rea"},
+               {"ISO_IR 100", "\xc4\xe4", "\xc3\x84\xc3\xa4"},
                {"\\ISO 2022 IR 149", "\x1b$)C\xb0\xa3", "\xea\xb0\x84"},
                {"\\ISO 2022 IR 58", "\x1b$)A\xb8\xce", "\xe8\x82\x9d"}};
   for (const auto& each : cases) {
     INFO(each.set);
     Dataset data = segmentation("BINARY", {segment(1, each.name)}, {{1, 0, box(1, 3, 1, 3)}});
-    const auto reader = open_volume(write("a.dcm", data.text(0x00080005, "CS", each.set).file()));
-    REQUIRE(reader->info().labels.size() == 1);
-    CHECK(reader->info().labels[0].name == each.utf8);
+    const VolumeInfo info = read_info(put(data.text(0x00080005, "CS", each.set)));
+    REQUIRE(info.labels.size() == 1);
+    CHECK(info.labels[0].name == each.utf8);
   }
 }
 

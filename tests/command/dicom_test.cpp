@@ -5,8 +5,7 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contains;
-using command_tests::contents;
+using command_tests::Workshop;
 
 constexpr int width = 8;
 constexpr int height = 6;
@@ -26,13 +25,11 @@ std::string replaced(std::string bytes, const std::string& old, const std::strin
   return bytes.replace(bytes.find(old), old.size(), value);
 }
 
-// The bytes of a slice of the series.
 std::string slice(int z) {
   const char* const names[] = {"IM3", "IM0", "IM4", "IM1", "IM2"};
   return contents(files / "series" / names[z]);
 }
 
-// A folder with a copy of the series.
 class Series : public Folder {
  public:
   Series() {
@@ -64,7 +61,7 @@ TEST_CASE("slices of a folder are in the order of their positions, with spacing 
   CHECK(info.intercept == -1024);
   CHECK(info.format == "DICOM");
   const discmc::meshing::VolumePlacement placement = {
-      discmc::Space::lps, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}}};
+      Space::lps, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}}};
   CHECK(info.placement == placement);
   CHECK(read_all(*reader) == patterned(0, depth));
 }
@@ -156,7 +153,7 @@ TEST_CASE_FIXTURE(Folder, "JPEG frames in several fragments each are read withou
   for (const std::string name : {"u8-jpeg.dcm", "u16-jpeg.dcm", "u8-lossy.dcm", "u16-jpegls.dcm"}) {
     INFO(name);
     const auto split = write("v.dcm", with_split_fragments(contents(files / name)));
-    CHECK(read_all(*open_volume(split)) == read_all(*open_volume(files / name)));
+    CHECK(read_samples(split) == read_samples(files / name));
   }
   check_refused(write("v.dcm", with_split_fragments(contents(files / "u16-j2k.dcm"))),
                 "its part of the compressed pixel data is unknown");
@@ -170,8 +167,7 @@ TEST_CASE_FIXTURE(Folder, "JPEG frames that are not counted are left out with a 
   CHECK(noted(reader->info(), "left out, as many as those of 3 further frames"));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "JPEG of another size, or of other samples, than the file declares is refused") {
+TEST_CASE_FIXTURE(Folder, "JPEG of other size or samples than the file declares is refused") {
   const auto tag = [](char element, char value) {
     return std::string("\x28\0", 2) + element + std::string("\0US\2\0", 5) + value + '\0';
   };
@@ -204,7 +200,7 @@ TEST_CASE("a deflated file is refused with the remedy") {
 }
 
 TEST_CASE("bits above the stored ones are ignored") {
-  CHECK(read_all(*open_volume(files / "packed")) == patterned(0, depth));
+  CHECK(read_samples(files / "packed") == patterned(0, depth));
 }
 
 TEST_CASE("values are read if slope and intercept differ between slices") {
@@ -232,11 +228,10 @@ TEST_CASE("a missing slice is refused with its place") {
 }
 
 TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, with a note") {
-  const VolumeOptions options = with(&VolumeOptions::allow_gaps, true);
   const Series series;
   series.drop(2);
   series.drop(3);
-  const auto reader = open_volume(series.path(), options);
+  const auto reader = open_volume(series.path(), gaps_allowed);
   CHECK(noted(reader->info(), "2 slices are missing between 102.5 mm (slice2) and 110 mm"));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   const std::vector<double> all = patterned(0, depth);
@@ -247,7 +242,7 @@ TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, 
   CHECK(read_all(*reader) == expected);
   // The gap is too large for lost slices, and could not be filled.
   series.put(4, replaced(slice(4), place(4), "1100000"));
-  check_refused(series.path(), options, "too many to fill");
+  check_refused(series.path(), gaps_allowed, "too many to fill");
 }
 
 TEST_CASE_FIXTURE(Folder, "a frame replaces a missing one in every compression") {
@@ -258,25 +253,18 @@ TEST_CASE_FIXTURE(Folder, "a frame replaces a missing one in every compression")
   for (const std::string name : {"u16.dcm", "u16-rle.dcm", "u16-jpeg.dcm", "u16-j2k.dcm"}) {
     INFO(name);
     const auto file = write(name, replaced(contents(files / name), place(4), "112.500"));
-    CHECK(read_all(*open_volume(file, with(&VolumeOptions::allow_gaps, true))) == expected);
+    CHECK(read_samples(file, gaps_allowed) == expected);
   }
 }
 
-TEST_CASE("slices at uneven distances are refused") {
-  const Series series;
-  series.put(4, replaced(slice(4), place(4), "111.000"));
-  check_refused(series.path(), "2.5 mm apart, but 3.5 mm between 107.5 mm");
-}
-
 TEST_CASE("a gap is a whole number of slices, however many are missing") {
-  const VolumeOptions options = with(&VolumeOptions::allow_gaps, true);
   const Series series;
   series.put(4, replaced(slice(4), place(4), "120.000"));
-  CHECK(open_volume(series.path(), options)->info().dims[2] == 9);
+  CHECK(read_info(series.path(), gaps_allowed).dims[2] == 9);
   // At 4.92 and 5.04 slices.
   for (const std::string along : {"119.800", "120.100"}) {
     series.put(4, replaced(slice(4), place(4), along));
-    check_refused(series.path(), options, "2.5 mm apart, but 12.");
+    check_refused(series.path(), gaps_allowed, "2.5 mm apart, but 12.", " mm between 107.5 mm (");
   }
 }
 
@@ -297,12 +285,8 @@ TEST_CASE("one of several series is chosen by its number or UID") {
   const Series series;
   const std::string uid = "1.2.826.0.1.3680043.10.1.1";
   const std::string other = "1.2.826.0.1.3680043.10.1.2";
-  // Replaces only the first occurrence, because SOPInstanceUIDs continue after it.
   for (int z = 0; z < depth; ++z) {
-    std::string bytes = slice(z);
-    for (std::size_t at = bytes.find(uid); at != std::string::npos; at = bytes.find(uid, at))
-      bytes.replace(at, uid.size(), other);
-    bytes = replaced(bytes, "Head 2.5", "Thin 1.5");
+    std::string bytes = replaced(replaced_all(slice(z), uid, other), "Head 2.5", "Thin 1.5");
     for (std::size_t i = bytes.size() - 2 * width * height; i < bytes.size(); ++i) bytes[i] = 1;
     series.write("other" + std::to_string(z), bytes);
   }
@@ -311,14 +295,14 @@ TEST_CASE("one of several series is chosen by its number or UID") {
                 "\n  2: 5 slices of 8 x 6, 'CT', 'Thin 1.5', UID " + other + "\n", "--series N");
   const auto ones = std::vector<double>(patterned(0, depth).size(), 257);
   const auto chosen = [&](const std::string& name) {
-    return read_all(*open_volume(series.path(), {{}, {}, name}));
+    return read_samples(series.path(), {{}, {}, name});
   };
   CHECK(chosen("1") == patterned(0, depth));
   CHECK(chosen(uid) == patterned(0, depth));
   CHECK(chosen("2") == ones);
   CHECK(chosen(other) == ones);
   check_refused(series.path(), {{}, {}, "3"}, "no series '3'; give one of these with --series:\n");
-  const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   check_refused(nrrd_file, {{}, {}, "1"}, "leave out --series");
 }
 
@@ -326,16 +310,15 @@ TEST_CASE("one of several volumes in a series is chosen by its number, not by th
   const Series series;
   series.put(0, replaced(slice(0), orientation, "-1.00\\0.000\\0.000\\0.000\\1.000\\0.000"));
   const std::string uid = "1.2.826.0.1.3680043.10.1.1";
-  VolumeOptions by_uid;
-  by_uid.series = uid;
+  VolumeOptions by_uid = with(&VolumeOptions::series, uid);
   for (const VolumeOptions& options : {VolumeOptions{}, by_uid}) {
     const std::string text = refusal(series.path(), options);
     check_refusal(text, "several volumes in one series, of different directions; choose ");
     check_refusal(text, "--series N");
     CHECK(!contains(text, "--series UID"));
   }
-  CHECK(open_volume(series.path(), {{}, {}, "2"})->info().dims[2] +
-            open_volume(series.path(), {{}, {}, "1"})->info().dims[2] ==
+  CHECK(read_info(series.path(), {{}, {}, "2"}).dims[2] +
+            read_info(series.path(), {{}, {}, "1"}).dims[2] ==
         depth);
 }
 
@@ -366,7 +349,7 @@ TEST_CASE("the longest UID of a series is listed whole") {
   bytes[at + header - 2] = static_cast<char>(uid.size());
   series.write("other", bytes);
   check_refusal(refusal(series.path()) + "\n", "UID " + uid + "\n");
-  CHECK(open_volume(series.path(), {{}, {}, uid})->info().dims[2] == 1);
+  CHECK(read_info(series.path(), {{}, {}, uid}).dims[2] == 1);
 }
 
 TEST_CASE("files that hold no image are skipped and counted") {
@@ -389,9 +372,9 @@ TEST_CASE("files that hold no image are skipped and counted") {
 }
 
 TEST_CASE("one slice of a series is a volume, with a hint to its folder") {
-  const auto reader = open_volume(files / "series" / "IM3");
-  CHECK(reader->info().dims == Dims{width, height, 1});
-  CHECK(noted(reader->info(), "give its folder"));
+  const VolumeInfo info = read_info(files / "series" / "IM3");
+  CHECK(info.dims == Dims{width, height, 1});
+  CHECK(noted(info, "give its folder"));
 }
 
 TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
@@ -400,10 +383,7 @@ TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
   // Seen from the other side, the order is that of decreasing z.
   const auto reader = open_volume(series.path());
   CHECK(reader->info().spacing_mm == Spacing{-0.5, 0.75, -2.5});
-  REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->origin_mm == Spacing{-10, -20, 110});
-  CHECK(reader->info().placement->axes_mm ==
-        discmc::meshing::Axes{{{-0.5, 0, 0}, {0, 0.75, 0}, {0, 0, -2.5}}});
+  check_axes(reader->info(), {{{-0.5, 0, 0}, {0, 0.75, 0}, {0, 0, -2.5}}}, {-10, -20, 110});
   const auto all = patterned(0, depth);
   std::vector<double> expected;
   constexpr int of_slice = width * height;
@@ -451,18 +431,17 @@ std::string nested(int levels, bool has_lengths) {
 
 TEST_CASE_FIXTURE(Folder, "sequences that are nested without end are refused") {
   for (const bool has_lengths : {false, true}) {
-    CHECK(open_volume(write("v.dcm", nested(30, has_lengths)))->info().dims[0] == width);
+    CHECK(read_info(write("v.dcm", nested(30, has_lengths))).dims[0] == width);
     check_refused(write("v.dcm", nested(20000, has_lengths)), "damaged, or deflated");
   }
 }
 
-TEST_CASE("one command converts a folder of DICOM to a mesh") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "one command converts a folder of DICOM to a mesh") {
   const std::string folder = "'" + (files / "series").string() + "'";
-  workshop.done("extract " + folder + " --iso -1000 -o v.stl");
-  CHECK(!command_tests::mesh_of_stl(workshop.read("v.stl")).vertices_mm.empty());
-  workshop.done("extract '" + (files / "u16-j2k.dcm").string() + "' --iso -24 -o j.stl");
-  CHECK(workshop.run("extract " + folder + " --series 2 --iso 0 -o v.stl").code == 1);
+  done("extract " + folder + " --iso -1000 -o v.stl");
+  CHECK(!mesh_in("v.stl").vertices_mm.empty());
+  done("extract '" + (files / "u16-j2k.dcm").string() + "' --iso -24 -o j.stl");
+  CHECK(run("extract " + folder + " --series 2 --iso 0 -o v.stl").code == 1);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace {
 
 using namespace dicom_files;
 using namespace volume_files;
-using command_tests::contains;
+using command_tests::Workshop;
 
 constexpr std::uint32_t kernel = 0x00181210;
 constexpr std::uint32_t echo_time = 0x00180081;
@@ -19,16 +19,16 @@ constexpr std::uint32_t b_value = 0x00189087;
 
 // Volume `number` of a series. Its values are those of the volume plus 5000 times the number.
 std::vector<std::int64_t> numbered_values(int number) {
-  std::vector<std::int64_t> values = volume_values();
-  for (std::int64_t& value : values) value += 5000 * number;
-  return values;
+  return changed(volume_values(), [=](std::int64_t value) { return value + 5000 * number; });
+}
+
+std::vector<std::int64_t> numbered_slice_values(int number, int z) {
+  return changed(slice_values(z), [=](std::int64_t value) { return value + 5000 * number; });
 }
 
 Dataset numbered_slice(int number, int z) {
   Dataset data = slice(z, std::to_string(number) + "." + std::to_string(z));
-  std::vector<std::int64_t> values = slice_values(z);
-  for (std::int64_t& value : values) value += 5000 * number;
-  return data.samples(values, 16, true);
+  return data.samples(numbered_slice_values(number, z), 16, true);
 }
 
 // A folder with volumes from 0 on. add: adds the differing elements to a slice, by volume number
@@ -41,18 +41,17 @@ class Volumes : public Folder {
       for (int z = 0; z < depth; ++z) {
         Dataset data = numbered_slice(number, z);
         add(data, number, z);
-        // In arbitrary order.
         write("IM" + std::to_string((7 * z + 3 * number) % 11) + std::to_string(number),
               data.file());
       }
   }
 
   std::vector<double> read_series(const std::string& series) const {
-    return read_all(*open_volume(path(), with(&VolumeOptions::series, series)));
+    return read_samples(path(), with(&VolumeOptions::series, series));
   }
 
   std::vector<double> read_frame(std::uint32_t frame) const {
-    return read_all(*open_volume(path(), with(&VolumeOptions::frame, frame)));
+    return read_samples(path(), of_frame(frame));
   }
 
   void check_all(int count) const {
@@ -64,10 +63,24 @@ class Volumes : public Folder {
   }
 };
 
+// Checks that the volumes are listed with these words, and read.
+template <class Add>
+void check_volumes(int count, const std::vector<std::string>& listed, Add add) {
+  const Volumes volumes(count, add);
+  for (const std::string& part : listed) check_refused(volumes.path(), part);
+  volumes.check_all(count);
+}
+
+void put_kernel(Dataset& data, int number, int) {
+  data.text(kernel, "SH", number == 0 ? "B30" : "B70");
+}
+
+void put_time(Dataset& data, int number, int) {
+  data.text(temporal_position, "IS", std::to_string(number + 1));
+}
+
 TEST_CASE("two kernels under one UID are two volumes, listed by their kernels") {
-  const Volumes volumes(2, [](Dataset& data, int number, int) {
-    data.text(kernel, "SH", number == 0 ? "B30" : "B70");
-  });
+  const Volumes volumes(2, put_kernel);
   const std::string text = refusal(volumes.path()) + "\n";
   check_refusal(
       text, "several volumes in one series; choose one with --series N, its number in this list:");
@@ -77,18 +90,16 @@ TEST_CASE("two kernels under one UID are two volumes, listed by their kernels") 
 }
 
 TEST_CASE("kernels are separate volumes if their slices alternate") {
-  const Volumes volumes(2, [](Dataset& data, int number, int z) {
-    data.text(kernel, "SH", number == 0 ? "B30" : "B70");
+  check_volumes(2, {}, [](Dataset& data, int number, int z) {
+    put_kernel(data, number, z);
     put_at(data, {-10, -20, 100 + 2.5 * z + 1.25 * number});
   });
-  CHECK(volumes.read_series("2") == as_read(numbered_values(1)));
-  CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
 }
 
 TEST_CASE("volumes that continue each other are listed with their places and a remedy") {
   const auto two = [](double second) {
     return Volumes(2, [second](Dataset& data, int number, int z) {
-      data.text(kernel, "SH", number == 0 ? "B30" : "B70");
+      put_kernel(data, number, z);
       put_at(data, {-10, -20, number == 0 ? 2.5 * z : second + 5 * z});
     });
   };
@@ -97,25 +108,23 @@ TEST_CASE("volumes that continue each other are listed with their places and a r
 }
 
 TEST_CASE("images are separate volumes if their types differ from the third value on") {
-  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+  check_volumes(2, {"image type 'M\\ND'"}, [](Dataset& data, int number, int z) {
     const std::string origin = z % 2 == 0 ? "ORIGINAL" : "DERIVED";
     data.text(0x00080008, "CS", origin + (number == 0 ? "\\PRIMARY\\M\\ND" : "\\PRIMARY\\P\\ND"));
   });
-  check_refused(volumes.path(), "image type 'M\\ND'");
-  volumes.check_all(2);
 }
 
 TEST_CASE("times are separated, and chosen by frame or from the list") {
-  const Volumes volumes(3, [](Dataset& data, int number, int) {
-    data.text(temporal_position, "IS", std::to_string(number + 1));
+  const Volumes volumes(3, [](Dataset& data, int number, int z) {
+    put_time(data, number, z);
     data.text(trigger_time, "DS", std::to_string(9 * number));
   });
   check_refused(volumes.path(),
                 "1: 5 slices of 8 x 6, 'CT', temporal position 1, trigger time 0 ms, UID",
                 "3: 5 slices of 8 x 6, 'CT', temporal position 3, trigger time 18 ms, UID");
   volumes.check_all(3);
-  VolumeOptions options = with(&VolumeOptions::frame, 1);
-  CHECK(open_volume(volumes.path(), options)->info().frames == 3);
+  VolumeOptions options = of_frame(1);
+  CHECK(read_info(volumes.path(), options).frames == 3);
   options.frame = 3;
   check_refused(volumes.path(), options, "there is no volume 3; choose one with --frame 0 to 2");
 }
@@ -127,7 +136,7 @@ TEST_CASE("frames count within the series that is chosen") {
   for (int z = 0; z < depth; ++z)
     volumes.write("other" + std::to_string(z),
                   slice(z, "5." + std::to_string(z)).text(0x0020000e, "UI", "1.2.4").file());
-  VolumeOptions options = with(&VolumeOptions::frame, 1);
+  VolumeOptions options = of_frame(1);
   check_refused(volumes.path(), options, "several volumes; choose one ");
   options.series = "1.2.3";
   const auto reader = open_volume(volumes.path(), options);
@@ -135,25 +144,21 @@ TEST_CASE("frames count within the series that is chosen") {
   CHECK(read_all(*reader) == as_read(numbered_values(1)));
   options.series = "3";
   options.frame = 0;
-  CHECK(read_all(*open_volume(volumes.path(), options)) == as_read(volume_values()));
+  CHECK(read_samples(volumes.path(), options) == as_read(volume_values()));
 }
 
 TEST_CASE("echo times that differ only by rounding are equal") {
-  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+  check_volumes(2, {"echo time 4.6 ms"}, [](Dataset& data, int number, int z) {
     data.text(echo_time, "DS",
               std::string(number == 0 ? "4.6" : "9.2") + (z == 2 ? "00000001" : ""));
   });
-  check_refused(volumes.path(), "echo time 4.6 ms");
-  volumes.check_all(2);
 }
 
 TEST_CASE("echoes of several times are separated by both") {
-  const Volumes volumes(4, [](Dataset& data, int number, int) {
+  check_volumes(4, {"temporal position 2, echo time 6 ms"}, [](Dataset& data, int number, int) {
     data.text(temporal_position, "IS", std::to_string(1 + number / 2));
     data.text(echo_time, "DS", std::to_string(5 + number % 2));
   });
-  check_refused(volumes.path(), "temporal position 2, echo time 6 ms");
-  volumes.check_all(4);
 }
 
 TEST_CASE("directions of diffusion are separated, with one or more per b-value") {
@@ -177,36 +182,30 @@ TEST_CASE("slices with individual times are separated by their order") {
   check_refused(volumes.path(), "1: 5 slices of 8 x 6, 'CT', number 1 by trigger time, UID",
                 "2: 5 slices of 8 x 6, 'CT', number 2 by trigger time, UID");
   volumes.check_all(2);
-  CHECK(noted(open_volume(volumes.path(), with(&VolumeOptions::series, "2"))->info(),
+  CHECK(noted(read_info(volumes.path(), with(&VolumeOptions::series, "2")),
               "distinguished only by their order: number 2 by trigger time"));
 }
 
 TEST_CASE("instance numbers determine the order if nothing else does") {
-  const Volumes volumes(3, [](Dataset& data, int number, int z) {
+  check_volumes(3, {"number 3 by instance number"}, [](Dataset& data, int number, int z) {
     data.text(instance_number, "IS", std::to_string(1 + 3 * z + number));
   });
-  check_refused(volumes.path(), "number 3 by instance number");
-  volumes.check_all(3);
 }
 
 TEST_CASE("types of images separate volumes from their first value on, if nothing else does") {
-  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+  check_volumes(2, {"image type 'DERIVED\\SECONDARY'"}, [](Dataset& data, int number, int z) {
     data.text(0x00080008, "CS", number == 0 ? "DERIVED\\SECONDARY" : "ORIGINAL\\PRIMARY");
     data.text(instance_number, "IS", std::to_string(z + 1));
   });
-  check_refused(volumes.path(), "image type 'DERIVED\\SECONDARY'");
-  volumes.check_all(2);
 }
 
 TEST_CASE("attributes that vary between slices do not separate volumes") {
   // Seven volumes of five slices, with fewer values than volumes.
-  const Volumes volumes(7, [](Dataset& data, int number, int z) {
+  check_volumes(7, {"acquisition 7"}, [](Dataset& data, int number, int z) {
     data.text(inversion_time, "DS", std::to_string(100 + z));
     data.text(instance_number, "IS", std::to_string(z + 1));
     data.text(acquisition_number, "IS", std::to_string(number + 1));
   });
-  check_refused(volumes.path(), "acquisition 7");
-  volumes.check_all(7);
 }
 
 TEST_CASE("an order separates no volumes if positions have different numbers of slices") {
@@ -218,9 +217,7 @@ TEST_CASE("an order separates no volumes if positions have different numbers of 
 }
 
 TEST_CASE("a volume with a missing slice is separated, and refused alone") {
-  const Volumes volumes(3, [](Dataset& data, int number, int) {
-    data.text(temporal_position, "IS", std::to_string(number + 1));
-  });
+  const Volumes volumes(3, put_time);
   fs::remove(volumes.path() / ("IM" + std::to_string((7 * 2 + 3) % 11) + "1"));
   CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
   CHECK(volumes.read_series("3") == as_read(numbered_values(2)));
@@ -232,13 +229,11 @@ TEST_CASE("inseparable slices at the same position are refused with both files")
   check_refused(volumes.path(),
                 "two slices at 100 mm differ: ", "no attribute separates their volumes",
                 "give a pattern of the files of one volume");
-  CHECK(read_all(*open_volume(volumes.path() / "IM*1")) == as_read(numbered_values(1)));
+  CHECK(read_samples(volumes.path() / "IM*1") == as_read(numbered_values(1)));
 }
 
 TEST_CASE("copies of slices do not count as another time") {
-  const Volumes volumes(2, [](Dataset& data, int number, int) {
-    data.text(temporal_position, "IS", std::to_string(number + 1));
-  });
+  const Volumes volumes(2, put_time);
   Dataset copy = numbered_slice(0, 3);
   volumes.write("copy", copy.text(temporal_position, "IS", "1").file());
   volumes.check_all(2);
@@ -248,42 +243,29 @@ TEST_CASE("copies of slices do not count as another time") {
 
 // Two times of all slices, side by side, in one file. has_times: with TemporalPositionIndex;
 // otherwise only with DimensionIndexValues.
-Dataset enhanced(bool has_times = true) {
-  std::vector<Dataset> groups;
-  std::vector<std::int64_t> samples;
-  for (int z = 0; z < depth; ++z)
-    for (const int time : {1, 0}) {
-      Dataset frame, place, orientation, content;
-      place.text(0x00200032, "DS", decimals(position(z)));
-      orientation.text(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
-      const auto text = [](int number) {
-        return number_bytes(static_cast<std::uint64_t>(number), 4, Order::little_endian);
-      };
-      if (has_times)
-        content.bytes(0x00209128, "UL", text(time + 1));
-      else
-        content.bytes(0x00209157, "UL", text(z + 1) + text(time + 1));
-      frame.sequence(0x00209113, {place}).sequence(0x00209116, {orientation});
-      frame.sequence(0x00209111, {content});
-      groups.push_back(frame);
-      for (const std::int64_t value : slice_values(z)) samples.push_back(value + 5000 * time);
-    }
-  Dataset data = image("9", "MR");
-  data.text(0x00280008, "IS", std::to_string(2 * depth)).sequence(0x52009230, groups);
-  return data.samples(samples, 16, true);
+Dataset side_by_side(bool has_times) {
+  return enhanced(2 * depth, [has_times](Dataset& group, int i) {
+    const int z = i / 2, time = 1 - i % 2;
+    const auto text = [](int number) {
+      return number_bytes(static_cast<std::uint64_t>(number), 4, Order::little_endian);
+    };
+    Dataset content;
+    if (has_times)
+      content.bytes(0x00209128, "UL", text(time + 1));
+    else
+      content.bytes(0x00209157, "UL", text(z + 1) + text(time + 1));
+    place_frame(group, z).sequence(0x00209111, {content});
+    return numbered_slice_values(time, z);
+  });
 }
 
-TEST_CASE_FIXTURE(Folder, "times in one file are separated and chosen") {
+TEST_CASE_FIXTURE(Dicom, "times in one file are separated and chosen") {
   for (const bool has_times : {true, false}) {
-    const auto file = write("v.dcm", enhanced(has_times).file());
+    const auto file = put(side_by_side(has_times));
     check_refused(file, has_times ? "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID"
                                   : "2: 5 slices of 8 x 6, 'MR', number 2 by dimension index, UID");
-    VolumeOptions options;
-    for (std::uint32_t time = 0; time < 2; ++time) {
-      options.frame = time;
-      CHECK(read_all(*open_volume(file, options)) ==
-            as_read(numbered_values(static_cast<int>(time))));
-    }
+    for (const int time : {0, 1})
+      CHECK(read_samples(file, of_frame(time)) == as_read(numbered_values(time)));
   }
 }
 
@@ -295,15 +277,11 @@ TEST_CASE_FIXTURE(Folder, "files that each hold all slices are separate volumes"
     data.text(instance_number, "IS", std::to_string(number + 1));
     write("v" + std::to_string(number), data.samples(numbered_values(number), 16, true).file());
   }
-  VolumeOptions options;
-  for (std::uint32_t number = 0; number < 2; ++number) {
-    options.frame = number;
-    CHECK(read_all(*open_volume(path(), options)) ==
-          as_read(numbered_values(static_cast<int>(number))));
-  }
+  for (const int number : {0, 1})
+    CHECK(read_samples(path(), of_frame(number)) == as_read(numbered_values(number)));
 }
 
-TEST_CASE_FIXTURE(Folder, "time slots of nuclear medicine are volumes") {
+TEST_CASE_FIXTURE(Dicom, "time slots of nuclear medicine are volumes") {
   Dataset detector;
   put_at(detector, position(0));
   Dataset data = frames("NM");
@@ -318,22 +296,18 @@ TEST_CASE_FIXTURE(Folder, "time slots of nuclear medicine are volumes") {
       for (const std::int64_t value : slice_values(z)) samples.push_back(value + 5000 * slot);
     }
   data.text(0x00280008, "IS", "10").whole(0x00540070, slots).whole(0x00540080, slices);
-  const auto file = write("v.dcm", data.samples(samples, 16, true).file());
+  const auto file = put(data.samples(samples, 16, true));
   check_refused(file, "time slot 2");
-  CHECK(read_all(*open_volume(file, with(&VolumeOptions::frame, 1))) ==
-        as_read(numbered_values(1)));
+  CHECK(read_samples(file, of_frame(1)) == as_read(numbered_values(1)));
 }
 
-TEST_CASE("commands that the list of volumes advises succeed") {
-  const command_tests::Workshop workshop;
-  const Volumes volumes(2, [](Dataset& data, int number, int) {
-    data.text(kernel, "SH", number == 0 ? "B30" : "B70");
-  });
+TEST_CASE_FIXTURE(Workshop, "commands that the list of volumes advises succeed") {
+  const Volumes volumes(2, put_kernel);
   const std::string folder = "'" + volumes.path().string() + "'";
-  workshop.fails("extract " + folder + " --iso 0 -o v.stl", 1, {"--series N"});
-  workshop.done("extract " + folder + " --iso 0 --series 2 -o v.stl");
-  workshop.done("extract " + folder + " --iso 0 --frame 1 -o w.stl");
-  CHECK(workshop.read("v.stl") == workshop.read("w.stl"));
+  fails("extract " + folder + " --iso 0 -o v.stl", 1, {"--series N"});
+  done("extract " + folder + " --iso 0 --series 2 -o v.stl");
+  done("extract " + folder + " --iso 0 --frame 1 -o w.stl");
+  CHECK(read("v.stl") == read("w.stl"));
 }
 
 }  // namespace

@@ -5,24 +5,25 @@ namespace {
 
 using namespace command_tests;
 using volume_files::nrrd;
+using volume_files::text_nrrd;
 
 // 60 values: -1000, -900 ... 4900.
 const std::string ramp = [] {
   std::string samples;
   for (int i = 0; i < 60; ++i) samples += std::to_string(100 * i - 1000) + " ";
-  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
-              "5 3 4") +
-         "\n" + samples;
+  return text_nrrd("short", "5 3 4", samples);
 }();
 
 const std::string values =
     ", and the values are -1000 to 4900; choose a threshold with discmc info";
 
+struct Ramp : Workshop {
+  Ramp() { write("v.nrrd", ramp); }
+};
+
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop,
-                  "an empty surface is an error with the range of values, and no file is written") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "an empty surface is an error with the range of values") {
   write("none.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\0'));
   write("other.stl", "before");
   const auto names = file_names();
@@ -57,22 +58,19 @@ TEST_CASE_FIXTURE(Workshop,
   CHECK(read("other.stl") == "before");
 }
 
-TEST_CASE_FIXTURE(Workshop, "an empty surface among several is reported, and no file is written") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "an empty surface among several is reported, and no file is written") {
   for (const std::string file : {"'{name}.ply'", "v.dmc", "v.dmc --wire slices"})
     fails("extract v.nrrd --iso 100 --iso 7000 --iso 200 -o " + file, 1,
           {"no voxel reaches 7000" + values});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a surface whose bodies are all too small is empty, too") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "a surface whose bodies are all too small is empty, too") {
   const std::string extract = "extract v.nrrd --iso 100 --min-volume 100 -o v.stl";
   fails(extract, 1, {"no body is as large as --min-volume"});
   done(extract + " --allow-empty");
 }
 
-TEST_CASE_FIXTURE(Workshop, "an empty surface of a pipe is a failure, too") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "an empty surface of a pipe is a failure, too") {
   for (const std::string file : {"v.stl", "v.dmc"}) {
     const std::string extract = "cat v.nrrd | \"$discmc\" extract - -o " + file;
     check_failure(shell(extract + " --iso 7000"), 1,
@@ -84,8 +82,7 @@ TEST_CASE_FIXTURE(Workshop, "an empty surface of a pipe is a failure, too") {
   CHECK(file_names() == std::vector<std::string>{"v.nrrd"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a surface equal to the box of the volume is written with a note") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "a surface equal to the box of the volume is written with a note") {
   write("four.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\4'));
   for (const std::string file : {"v.stl", "v.dmc", "v.dmc --wire slices", "v.png"}) {
     INFO(file);
@@ -105,24 +102,18 @@ TEST_CASE_FIXTURE(Workshop, "a surface equal to the box of the volume is written
               {"standard input: every voxel reaches -2000"});
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "a volume filled by the median or by infinite values is reported as such") {
+TEST_CASE_FIXTURE(Workshop, "a volume filled by the median or infinite values is reported") {
   const auto write_floats = [&](const std::string& name, const std::string& sample, int hole) {
     std::string samples;
     for (int i = 0; i < 60; ++i) samples += (i == hole ? "0" : sample) + " ";
-    write(name, nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
-                     "5 3 4") +
-                    "\n" + samples);
+    write(name, text_nrrd("float", "5 3 4", samples));
   };
   write_floats("hole.nrrd", "7", 22);
   write_floats("inf.nrrd", "inf", -1);
   write_floats("mixed.nrrd", "inf", 22);
   std::string mostly_off = "inf ";
   for (int i = 0; i < 59; ++i) mostly_off += "0 ";
-  write(
-      "one.nrrd",
-      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "5 3 4") +
-          "\n" + mostly_off);
+  write("one.nrrd", text_nrrd("float", "5 3 4", mostly_off));
   const std::string open = ", so a surface with --border open is empty, and ";
   const std::pair<std::string, std::string> examples[] = {
       {"hole.nrrd --median 3 --border open", "after --median every voxel reaches 5" + open},
@@ -142,16 +133,11 @@ TEST_CASE_FIXTURE(Workshop,
 }
 
 TEST_CASE_FIXTURE(Workshop, "an empty surface of a volume without numbers is reported") {
-  write(
-      "v.nrrd",
-      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
-          "\nnan nan nan nan");
+  write("v.nrrd", text_nrrd("float", "2 1 2", "nan nan nan nan"));
   fails("extract v.nrrd --iso 3 -o v.stl", 1, {"no voxel reaches 3, and no value is finite; "});
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "pictures and distances of empty surfaces are refused with the values") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "pictures and distances of empty surfaces are refused") {
   done("extract v.nrrd --iso 100 -q -o v.dmc");
   for (const std::string look : {"", " --classic", " --shade smooth"})
     fails("render v.nrrd --iso 7000 -o v.png" + look, 1,
@@ -160,8 +146,7 @@ TEST_CASE_FIXTURE(Workshop,
   CHECK(file_names() == std::vector<std::string>{"v.dmc", "v.nrrd"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a stream without polygons is decoded and drawn with a note") {
-  write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Ramp, "a stream without polygons is decoded and drawn with a note") {
   done("extract v.nrrd --iso 7000 --allow-empty -q -o v.dmc");
   for (const std::string command : {"decode v.dmc -o v.stl", "render v.dmc -o v.png"}) {
     const auto empty = run(command);
@@ -171,12 +156,8 @@ TEST_CASE_FIXTURE(Workshop, "a stream without polygons is decoded and drawn with
   }
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "messages about a volume narrowed for its normals print the values of the file") {
-  write(
-      "v.nrrd",
-      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
-          "\n0.25 0.5 nan -8");
+TEST_CASE_FIXTURE(Workshop, "messages about a narrowed volume print the values of the file") {
+  write("v.nrrd", text_nrrd("float", "2 1 2", "0.25 0.5 nan -8"));
   for (const std::string file : {"v.ply", "v.dmc"})
     fails("extract v.nrrd --iso 3 --normals gradient -o " + file, 1,
           {"no voxel reaches 3, and the values are -8 to 0.5;"});

@@ -5,11 +5,9 @@
 
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "oracle/region.hpp"
 #include "oracle/stream.hpp"
 #include "sample_reader.hpp"
 #include "surface/growing_joiner.hpp"
-#include "surface/surface_builder.hpp"
 
 namespace {
 

@@ -4,9 +4,9 @@
 namespace {
 
 using namespace volume_files;
+using command_tests::Workshop;
 
-TEST_CASE_FIXTURE(Folder,
-                  "an unsupported format is named with its converter, by name or by first bytes") {
+TEST_CASE_FIXTURE(Folder, "an unsupported format is named with its converter") {
   struct Case {
     const char* file;
     const char* head;
@@ -44,22 +44,21 @@ TEST_CASE_FIXTURE(Folder,
   }
 }
 
-TEST_CASE("files of unsupported formats count as volumes, not as streams") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "files of unsupported formats count as volumes, not as streams") {
   for (const std::string name : {"a.czi", "a.nd2", "a+orig.HEAD", "a.mgz", "a.npz", "a.mrc"}) {
     INFO(name);
-    workshop.write(name, "...");
-    const auto result = workshop.run("info " + name);
+    write(name, "...");
+    const auto result = run("info " + name);
     CHECK(result.code != 0);
-    CHECK(command_tests::contains(result.error, name));
-    CHECK_FALSE(command_tests::contains(result.error, "stream"));
+    CHECK(contains(result.error, name));
+    CHECK_FALSE(contains(result.error, "stream"));
   }
 }
 
 TEST_CASE_FIXTURE(Folder, "with a layout such files are headerless samples") {
   const VolumeOptions options = with(&VolumeOptions::layout, RawLayout{{5, 3, 4}, SampleType::u8});
-  check_volume(write("a.isq", stored(SampleType::u8)), SampleType::u8, "raw", options);
-  check_volume(write("2dseq", stored(SampleType::u8)), SampleType::u8, "raw", options);
+  check_volume(write("a.isq", u8), "raw", options);
+  check_volume(write("2dseq", u8), "raw", options);
 }
 
 }  // namespace

@@ -1,31 +1,12 @@
 // The growing joiner of the command. Fragments without a partner remain loose.
 #include "surface/growing_joiner.hpp"
 
-#include "hand_made.hpp"
-#include "oracle/region.hpp"
-#include "oracle/stream.hpp"
-#include "surface/surface_builder.hpp"
-#include "test.hpp"
+#include "joined_events.hpp"
 
 namespace {
 
-using discmc::Event;
+using namespace joined_events;
 using discmc::meshing::GrowingJoiner;
-using discmc::meshing::SurfaceBuilder;
-using discmc::test::EventLog;
-using discmc::test::Events;
-
-// A scan with so little memory that everything is sent as fragments.
-Events pieces() {
-  const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
-  return discmc::test::events_of(volume, discmc::minimum_capacities());
-}
-
-std::size_t count(const Events& events, Event::Kind kind) {
-  std::size_t count = 0;
-  for (const auto& one : events) count += one.is(kind) ? 1U : 0U;
-  return count;
-}
 
 // The events of the first fragment only.
 Events first_fragment() {
@@ -38,17 +19,11 @@ Events first_fragment() {
 }
 
 Events joined(const Events& events, std::uint64_t bytes = GrowingJoiner::first_bytes) {
-  EventLog log;
-  GrowingJoiner joiner(discmc::make_sink(log), discmc::InputOrder::sweep, bytes);
-  for (const auto& one : events)
-    REQUIRE(joiner.accept(one.event()) == discmc::SinkResult::accepted);
-  joiner.finish();
-  return log.events;
+  return joined_by<GrowingJoiner>(events, discmc::InputOrder::sweep, bytes);
 }
 
 std::vector<discmc::reference::Region> regions_of(const Events& events) {
-  SurfaceBuilder builder;
-  for (const auto& one : events) builder.accept(one.event());
+  const auto builder = built(events);
   CHECK(builder.incomplete_regions() == 0);
   return hand_made::regions_of(builder.surface());
 }

@@ -1,5 +1,4 @@
 // The pages of docs/ for owners of volumes agree with the command: messages, formats, keys of info.
-#include <filesystem>
 #include <regex>
 
 #include "cli/commands.hpp"

@@ -2,7 +2,6 @@
 // slices. container_table_test has the sample types. Without the library the test is disabled, but
 // compiled.
 #if __has_include(<hdf5.h>)
-#include <filesystem>
 #include <thread>
 
 #include "command.hpp"
@@ -12,7 +11,6 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contents;
 using discmc::command::Hdf5Handle;
 
 constexpr H5Z_filter_t counting_filter = 256;  // the first number of filters for tests
@@ -29,6 +27,16 @@ Hdf5Handle new_file(const fs::path& file) {
           H5Fclose};
 }
 
+Hdf5Handle reopened(const fs::path& file) {
+  return {H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose};
+}
+
+using Sizes = std::vector<hsize_t>;
+
+Hdf5Handle space_of(const Sizes& sizes) {
+  return {H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose};
+}
+
 Hdf5Handle no_creation() {
   return {H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
 }
@@ -39,20 +47,59 @@ Hdf5Handle chunks_of(const std::array<hsize_t, 3>& chunk) {
   return creation;
 }
 
+// Makes the groups of a path.
+Hdf5Handle with_groups() {
+  Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links.id(), 1);
+  return links;
+}
+
 // A dataset of zeros, until samples are written.
-Hdf5Handle new_dataset(const Hdf5Handle& file, const char* path, const std::vector<hsize_t>& sizes,
-                       const Hdf5Handle& creation, hid_t type = H5T_STD_U8LE) {
-  const Hdf5Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
-                         H5Sclose);
-  Hdf5Handle dataset(
-      H5Dcreate2(file.id(), path, type, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
-      H5Dclose);
+Hdf5Handle new_dataset(const Hdf5Handle& file, const char* path, const Sizes& sizes = {4, 3, 5},
+                       const Hdf5Handle& creation = no_creation(), hid_t type = H5T_STD_U8LE) {
+  Hdf5Handle dataset(H5Dcreate2(file.id(), path, type, space_of(sizes).id(), with_groups().id(),
+                                creation.id(), H5P_DEFAULT),
+                     H5Dclose);
   REQUIRE(dataset);
   return dataset;
 }
 
+template <class Number>
+void write_samples(const Hdf5Handle& dataset, const std::vector<Number>& samples, hid_t type) {
+  REQUIRE(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data()) >= 0);
+}
+
+using Bytes = std::vector<std::uint8_t>;
+
+Hdf5Handle new_dataset(const Hdf5Handle& file, const char* path, const Sizes& sizes,
+                       const Bytes& samples) {
+  Hdf5Handle dataset = new_dataset(file, path, sizes);
+  write_samples(dataset, samples, H5T_NATIVE_UINT8);
+  return dataset;
+}
+
+// A dataset of one chunk, packed before, that the filter unpacks.
+void write_packed(const fs::path& file, const std::array<hsize_t, 3>& sizes, H5Z_filter_t filter,
+                  const std::string& packed) {
+  const Hdf5Handle creation = chunks_of(sizes);
+  H5Pset_filter(creation.id(), filter, H5Z_FLAG_OPTIONAL, 0, nullptr);
+  const Hdf5Handle opened = new_file(file);
+  const Hdf5Handle dataset =
+      new_dataset(opened, "volume", {sizes[0], sizes[1], sizes[2]}, creation);
+  constexpr hsize_t first[] = {0, 0, 0};
+  REQUIRE(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, 0, first, packed.size(), packed.data()) >= 0);
+}
+
 Hdf5Handle new_group(const Hdf5Handle& file, const char* path) {
-  return {H5Gcreate2(file.id(), path, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
+  return {H5Gcreate2(file.id(), path, with_groups().id(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
+}
+
+void write_attribute(const Hdf5Handle& object, const char* name, hid_t type, std::size_t count,
+                     const void* values) {
+  const Hdf5Handle attribute(
+      H5Acreate2(object.id(), name, type, space_of({count}).id(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  REQUIRE(H5Awrite(attribute.id(), type, values) >= 0);
 }
 
 void write_texts(const Hdf5Handle& object, const char* name,
@@ -60,20 +107,17 @@ void write_texts(const Hdf5Handle& object, const char* name,
   constexpr std::size_t bytes = 32;
   std::string all;
   for (const std::string& text : texts) all += text + std::string(bytes - text.size(), '\0');
-  const hsize_t count = texts.size();
   const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.id(), bytes);
-  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Hdf5Handle attribute(
-      H5Acreate2(object.id(), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  REQUIRE(H5Awrite(attribute.id(), type.id(), all.data()) >= 0);
+  write_attribute(object, name, type.id(), texts.size(), all.data());
 }
 
-// Maps all its samples to a dataset of another file.
+void write_numbers(const Hdf5Handle& object, const char* name, const std::vector<double>& numbers) {
+  write_attribute(object, name, H5T_NATIVE_DOUBLE, numbers.size(), numbers.data());
+}
+
 void write_virtual(const fs::path& file, const char* source) {
-  constexpr hsize_t sizes[] = {4, 3, 5};
-  const Hdf5Handle space(H5Screate_simple(3, sizes, nullptr), H5Sclose);
-  const Hdf5Handle creation = no_creation();
+  const Hdf5Handle space = space_of({4, 3, 5}), creation = no_creation();
   REQUIRE(H5Pset_virtual(creation.id(), space.id(), source, "volume", space.id()) >= 0);
   new_dataset(new_file(file), "volume", {4, 3, 5}, creation);
 }
@@ -84,20 +128,10 @@ void write_counted(const fs::path& file) {
   const H5Z_class2_t filter = {H5Z_CLASS_T_VERS, counting_filter, 1,       1,
                                "counting",       nullptr,         nullptr, count_unpacked};
   REQUIRE(H5Zregister(&filter) >= 0);
-  constexpr hsize_t sizes[] = {4, 1024, 1024};
-  constexpr hsize_t chunk[] = {2, 512, 512};
-  const Hdf5Handle opened(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                          H5Fclose);
-  const Hdf5Handle space(H5Screate_simple(3, sizes, nullptr), H5Sclose);
-  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_chunk(creation.id(), 3, chunk);
+  const Hdf5Handle creation = chunks_of({2, 512, 512});
   H5Pset_filter(creation.id(), counting_filter, 0, 0, nullptr);
-  const Hdf5Handle dataset(H5Dcreate2(opened.id(), "volume", H5T_STD_U8LE, space.id(), H5P_DEFAULT,
-                                      creation.id(), H5P_DEFAULT),
-                           H5Dclose);
-  const std::vector<std::uint8_t> samples(std::size_t{4} << 20, 7);
-  REQUIRE(H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data()) >=
-          0);
+  write_samples(new_dataset(new_file(file), "volume", {4, 1024, 1024}, creation),
+                Bytes(std::size_t{4} << 20, 7), H5T_NATIVE_UINT8);
 }
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
@@ -114,10 +148,10 @@ TEST_CASE("the only array of three dimensions is the volume") {
 
 TEST_CASE("one of several arrays is chosen by its name behind that of the file") {
   check_refused(several, "holds 3 arrays: /scan/half (5 x 3 x 4), /scan/truth");
-  check_volume(several + ":/scan/u8", SampleType::u8, "HDF5, /scan/u8, raw");
+  check_volume(several + ":/scan/u8", "HDF5, /scan/u8, raw");
   check_volume(several + ":/scan/half", SampleType::f32, "HDF5, /scan/half, raw");
-  CHECK(open_volume(several + ":/scan/slice")->info().dims == Dims{5, 3, 1});
-  for (const double truth : read_all(*open_volume(several + ":/scan/truth")))
+  CHECK(read_info(several + ":/scan/slice").dims == Dims{5, 3, 1});
+  for (const double truth : read_samples(several + ":/scan/truth"))
     CHECK((truth == 0 || truth == 1));
 }
 
@@ -132,13 +166,12 @@ TEST_CASE("a name in a file that is no array of numbers is refused") {
 
 TEST_CASE_FIXTURE(Folder, "a colon may be part of the name of a file") {
   const fs::path file = write("a:/volume.h5", contents(files / "hdf5/u8-little.h5"));
-  check_volume(file, SampleType::u8, "HDF5, /volume, raw");
-  check_volume(file.string() + ":/volume", SampleType::u8, "HDF5, /volume, raw");
+  check_volume(file, "HDF5, /volume, raw");
+  check_volume(file.string() + ":/volume", "HDF5, /volume, raw");
 }
 
 TEST_CASE_FIXTURE(Folder, "HDF5 is recognized by its first bytes") {
-  const std::string bytes = contents(files / "hdf5/u8-little.h5");
-  check_volume(write("volume", bytes), SampleType::u8, "HDF5, /volume, raw");
+  check_volume(write("volume", contents(files / "hdf5/u8-little.h5")), "HDF5, /volume, raw");
 }
 
 TEST_CASE("an array that cannot be unpacked or has scales of its own is refused with the remedy") {
@@ -155,18 +188,10 @@ TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that 
     MESSAGE("not run: this Python has no h5py or no hdf5plugin");
     return;
   }
-  workshop.write("volume", stored(SampleType::u8));
+  workshop.write("volume", u8);
   REQUIRE(workshop.shell("bzip2 -c volume > packed").code == 0);
-  const std::string packed = workshop.read("packed");
-  {
-    constexpr H5Z_filter_t bzip2 = 307;
-    const Hdf5Handle creation = chunks_of({4, 3, 5});
-    H5Pset_filter(creation.id(), bzip2, H5Z_FLAG_OPTIONAL, 0, nullptr);
-    const Hdf5Handle opened = new_file(path() / "a.h5");
-    const Hdf5Handle dataset = new_dataset(opened, "volume", {4, 3, 5}, creation);
-    constexpr hsize_t first[] = {0, 0, 0};
-    REQUIRE(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, 0, first, packed.size(), packed.data()) >= 0);
-  }
+  constexpr H5Z_filter_t bzip2 = 307;
+  write_packed(path() / "a.h5", {4, 3, 5}, bzip2, workshop.read("packed"));
   workshop.write("a.h5", contents(path() / "a.h5"));
   const std::string refused =
       workshop.shell("HDF5_PLUGIN_PATH=/nonexistent \"$discmc\" info a.h5").error;
@@ -176,8 +201,7 @@ TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that 
   const auto unpacked = workshop.shell("PATH=/usr/bin:$PATH; " + refused.substr(begin));
   INFO(unpacked.error);
   CHECK(unpacked.code == 0);
-  check_volume(write("unpacked.h5", workshop.read("unpacked.h5")), SampleType::u8,
-               "HDF5, /volume, raw");
+  check_volume(write("unpacked.h5", workshop.read("unpacked.h5")), "HDF5, /volume, raw");
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "names of a file in a remedy are quoted, so that a shell runs none") {
@@ -200,23 +224,15 @@ std::string lzf_of_runs() {
 
 TEST_CASE_FIXTURE(Hdf5File, "LZF of h5py is unpacked, and damaged LZF is refused") {
   check_volume(files / "hdf5/i16-big-lzf.h5", SampleType::i16, "HDF5, /volume, shuffle, lzf");
-  constexpr hsize_t size = 33;
   const auto write = [&](const std::string& packed) {
     H5Zunregister(32000);  // it only reads, and prevents writing
-    const Hdf5Handle creation = chunks_of({1, 1, size});
-    H5Pset_filter(creation.id(), 32000, H5Z_FLAG_OPTIONAL, 0, nullptr);
-    const Hdf5Handle opened = new_file(file);
-    const Hdf5Handle dataset = new_dataset(opened, "volume", {1, 1, size}, creation);
-    constexpr hsize_t first[] = {0, 0, 0};
-    constexpr std::uint32_t all_filters = 0;
-    REQUIRE(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, all_filters, first, packed.size(),
-                           packed.data()) >= 0);
+    write_packed(file, {1, 1, 33}, 32000, packed);
   };
   write(lzf_of_runs());
   std::vector<double> expected = {1, 2, 3, 4, 1, 2, 3};
   expected.resize(28, 3);
   expected.insert(expected.end(), {1, 2, 3, 4, 1});
-  CHECK(read_all(*open_volume(file)) == expected);
+  CHECK(read_samples(file) == expected);
   for (const std::string& damaged :
        {std::string("\x20\x03", 2), std::string("\5\1", 2), std::string("\xe0", 1)}) {
     write(damaged);
@@ -224,47 +240,33 @@ TEST_CASE_FIXTURE(Hdf5File, "LZF of h5py is unpacked, and damaged LZF is refused
   }
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "links to other files are followed, and one array is one however many lead to it") {
-  check_volume(files / "hdf5_arrays/master.h5", SampleType::u8,
-               "HDF5, /entry/data/data_000001, raw");
+TEST_CASE_FIXTURE(Folder, "links to other files are followed, and a linked array counts once") {
+  check_volume(files / "hdf5_arrays/master.h5", "HDF5, /entry/data/data_000001, raw");
   write("master.h5", contents(files / "hdf5_arrays/master.h5"));
   check_refused(path() / "master.h5",
                 "its links lead nowhere: /entry/data/data_000001 to data_000001.h5");
-  {
-    const Hdf5Handle opened(H5Fopen((path() / "master.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT),
-                            H5Fclose);
-    new_dataset(opened, "here", {4, 3, 5}, no_creation());
-  }
-  const auto reader = open_volume(path() / "master.h5");
-  CHECK(reader->info().format == "HDF5, /here, raw");
-  CHECK(
-      noted(reader->info(), "links that lead nowhere: /entry/data/data_000001 to data_000001.h5"));
+  new_dataset(reopened(path() / "master.h5"), "here");
+  const VolumeInfo info = read_info(path() / "master.h5");
+  CHECK(info.format == "HDF5, /here, raw");
+  CHECK(noted(info, "links that lead nowhere: /entry/data/data_000001 to data_000001.h5"));
 }
 
 TEST_CASE("the axis names in attributes of ilastik determine x, y and z") {
   const fs::path file = files / "hdf5_arrays/ilastik.h5";
-  check_volume(file, SampleType::u8, "HDF5, /exported_data, raw");
-  CHECK_FALSE(noted(open_volume(file)->info(), "dropped"));
+  check_volume(file, "HDF5, /exported_data, raw");
+  CHECK_FALSE(noted(read_info(file), "dropped"));
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "axes are named in any order, and samples keep their places") {
-  const std::vector<std::uint8_t> samples = [] {
-    std::vector<std::uint8_t> all;
-    for (int i = 0; i < 120; ++i) all.push_back(static_cast<std::uint8_t>(i));
-    return all;
-  }();
+  Bytes samples(120);
+  std::iota(samples.begin(), samples.end(), std::uint8_t{0});
   for (const bool is_chunked : {false, true})
     for (const std::string axes : {"zyx", "zxy", "yzx", "yxz", "xzy", "xyz"}) {
       INFO(axes, is_chunked ? " in chunks" : "");
-      {
-        const Hdf5Handle creation = is_chunked ? chunks_of({2, 2, 3}) : no_creation();
-        const Hdf5Handle dataset = new_dataset(new_file(file), "volume", {4, 5, 6}, creation);
-        H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
-      }
-      VolumeOptions options;
-      options.axes = axes;
-      const auto reader = open_volume(file, options);
+      write_samples(new_dataset(new_file(file), "volume", {4, 5, 6},
+                                is_chunked ? chunks_of({2, 2, 3}) : no_creation()),
+                    samples, H5T_NATIVE_UINT8);
+      const auto reader = open_volume(file, with_axes(axes));
       const auto& dims = reader->info().dims;
       const auto read = read_all(*reader);
       constexpr std::array<std::size_t, 3> sizes{4, 5, 6};
@@ -289,31 +291,19 @@ TEST_CASE_FIXTURE(Folder, "a note names the index that is x in an array of MATLA
     H5Pset_userblock(creation.id(), 512);
     const Hdf5Handle opened(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT),
                             H5Fclose);
-    const Hdf5Handle dataset = new_dataset(opened, "V", {4, 3, 5}, no_creation());
-    write_texts(dataset, "MATLAB_class", {"uint8"});
-    const Hdf5Handle references(
-        H5Gcreate2(opened.id(), "#refs#", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-    new_dataset(references, "a", {4, 3, 5}, no_creation());
+    write_texts(new_dataset(opened, "V"), "MATLAB_class", {"uint8"});
+    new_dataset(opened, "#refs#/a");
   }
   std::string bytes = contents(file);
   bytes.replace(0, 10, "MATLAB 7.3");
   write("volume.mat", bytes);
-  const auto reader = open_volume(file);
-  CHECK(reader->info().format == "HDF5, /V, raw");
-  CHECK(noted(reader->info(), "its first index is read as x; if it is y, give --axes zxy"));
+  const VolumeInfo info = read_info(file);
+  CHECK(info.format == "HDF5, /V, raw");
+  CHECK(noted(info, "its first index is read as x; if it is y, give --axes zxy"));
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "padded arrays of Imaris are refused with a converter") {
-  {
-    const Hdf5Handle opened = new_file(file);
-    const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    H5Pset_create_intermediate_group(links.id(), 1);
-    const Hdf5Handle group(
-        H5Gcreate2(opened.id(), "DataSet/ResolutionLevel 0/TimePoint 0/Channel 0", links.id(),
-                   H5P_DEFAULT, H5P_DEFAULT),
-        H5Gclose);
-    new_dataset(group, "Data", {4, 3, 5}, no_creation());
-  }
+  new_dataset(new_file(file), "DataSet/ResolutionLevel 0/TimePoint 0/Channel 0/Data");
   check_refused(file, "this is Imaris, which pads its arrays");
 }
 
@@ -322,9 +312,8 @@ TEST_CASE_FIXTURE(Hdf5File, "samples with fewer bits than their storage are read
   {
     const Hdf5Handle type(H5Tcopy(H5T_STD_U32LE), H5Tclose);
     REQUIRE(H5Tset_precision(type.id(), 12) >= 0);
-    const Hdf5Handle opened = new_file(file);
-    const Hdf5Handle dataset = new_dataset(opened, "volume", {2, 2, 2}, no_creation(), type.id());
-    H5Dwrite(dataset.id(), H5T_NATIVE_UINT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+    write_samples(new_dataset(new_file(file), "volume", {2, 2, 2}, no_creation(), type.id()),
+                  samples, H5T_NATIVE_UINT32);
   }
   const auto reader = open_volume(file);
   CHECK(reader->info().type == SampleType::u32);
@@ -332,40 +321,31 @@ TEST_CASE_FIXTURE(Hdf5File, "samples with fewer bits than their storage are read
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "bitfields of PyTables are read as truth values") {
-  const std::vector<std::uint8_t> samples = {0, 1, 1, 0, 0, 0, 1, 0};
-  {
-    const Hdf5Handle opened = new_file(file);
-    const Hdf5Handle dataset = new_dataset(opened, "mask", {2, 2, 2}, no_creation(), H5T_STD_B8LE);
-    H5Dwrite(dataset.id(), H5T_NATIVE_B8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
-  }
+  const Bytes samples = {0, 1, 1, 0, 0, 0, 1, 0};
+  write_samples(new_dataset(new_file(file), "mask", {2, 2, 2}, no_creation(), H5T_STD_B8LE),
+                samples, H5T_NATIVE_B8);
   const auto reader = open_volume(file);
   CHECK(reader->info().type == SampleType::u8);
   CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a virtual array is read from other files, and refused if one is missing") {
+TEST_CASE_FIXTURE(Folder, "a virtual array is read, and refused if one of its files is missing") {
   write("source.h5", contents(files / "hdf5/u8-little.h5"));
   write_virtual(path() / "there.h5", "source.h5");
-  CHECK(read_all(*open_volume(path() / "there.h5")) ==
-        read_all(*open_volume(path() / "source.h5")));
+  CHECK(read_samples(path() / "there.h5") == read_samples(path() / "source.h5"));
   write_virtual(path() / "missing.h5", "none.h5");
   check_refused(path() / "missing.h5", "the file 'none.h5', which is missing");
 }
 
 TEST_CASE_FIXTURE(Folder, "the limit of a slice is that of the file that holds it, behind a link") {
-  {
-    const Hdf5Handle packed = chunks_of({1, 4000, 4000});
-    H5Pset_deflate(packed.id(), 1);
-    const std::vector<std::uint8_t> samples(16000000, 7);
-    const Hdf5Handle opened = new_file(path() / "large.h5");
-    const Hdf5Handle dataset = new_dataset(opened, "volume", {1, 4000, 4000}, packed);
-    H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
-    H5Lcreate_external("large.h5", "/volume", new_file(path() / "link.h5").id(), "volume",
-                       H5P_DEFAULT, H5P_DEFAULT);
-  }
+  const Hdf5Handle packed = chunks_of({1, 4000, 4000});
+  H5Pset_deflate(packed.id(), 1);
+  write_samples(new_dataset(new_file(path() / "large.h5"), "volume", {1, 4000, 4000}, packed),
+                Bytes(16000000, 7), H5T_NATIVE_UINT8);
+  H5Lcreate_external("large.h5", "/volume", new_file(path() / "link.h5").id(), "volume",
+                     H5P_DEFAULT, H5P_DEFAULT);
   const auto reader = open_volume(path() / "link.h5:/volume");
-  std::vector<std::uint8_t> slice(16000000);
+  Bytes slice(16000000);
   reader->read_slice(slice.data());
   CHECK(slice.back() == 7);
 }
@@ -376,12 +356,9 @@ TEST_CASE_FIXTURE(Folder, "an array with too many chunks to be kept is still lis
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "names with control characters are shown without") {
-  new_dataset(new_file(file), "a\x1b[31m", {4, 3, 5}, no_creation());
-  CHECK(open_volume(file)->info().format == "HDF5, /a_[31m, raw");
-  {
-    const Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
-    new_dataset(opened, "b", {4, 3, 5}, no_creation());
-  }
+  new_dataset(new_file(file), "a\x1b[31m");
+  CHECK(read_info(file).format == "HDF5, /a_[31m, raw");
+  new_dataset(reopened(file), "b");
   check_refused(file, "/a_[31m (5 x 3 x 4), /b");
 }
 
@@ -414,8 +391,7 @@ TEST_CASE("reading continues at the right slice after a skip") {
 TEST_CASE_FIXTURE(Hdf5File, "a chunk of several slices is unpacked once") {
   write_counted(file);
   unpacked_chunks = 0;
-  const std::vector<double> samples = read_all(*open_volume(file));
-  CHECK(samples == std::vector<double>(std::size_t{4} << 20, 7));
+  CHECK(read_samples(file) == std::vector<double>(std::size_t{4} << 20, 7));
   CHECK(unpacked_chunks == 8);
 }
 
@@ -423,18 +399,15 @@ TEST_CASE_FIXTURE(Folder, "a file truncated at any byte is refused") {
   const std::string bytes = contents(files / "hdf5/i16-big-gzip.h5");
   for (std::size_t size = 0; size < bytes.size(); size += 97) {
     INFO("cut at ", size);
-    const fs::path file = write("cut.h5", bytes.substr(0, size));
-    refusal(file);
+    refusal(write("cut.h5", bytes.substr(0, size)));
   }
 }
 
-void write_numbers(const Hdf5Handle& object, const char* name, const std::vector<double>& numbers) {
-  const hsize_t count = numbers.size();
-  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Hdf5Handle attribute(
-      H5Acreate2(object.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
-      H5Aclose);
-  REQUIRE(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, numbers.data()) >= 0);
+void write_dataset(const Hdf5Handle& file, const char* path, const Sizes& sizes,
+                   const std::vector<double>& numbers, const char* unit = nullptr) {
+  const Hdf5Handle dataset = new_dataset(file, path, sizes, no_creation(), H5T_IEEE_F64LE);
+  write_samples(dataset, numbers, H5T_NATIVE_DOUBLE);
+  if (unit != nullptr) write_texts(dataset, "units", {unit});
 }
 
 // Coordinates of each axis, as in NetCDF.
@@ -444,14 +417,7 @@ struct Scale {
 };
 
 void write_coordinates(const Hdf5Handle& file, const Scale& scale, const char* unit = "mm") {
-  const hsize_t count = scale.coordinates.size();
-  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Hdf5Handle dataset(H5Dcreate2(file.id(), scale.name, H5T_NATIVE_DOUBLE, space.id(),
-                                      H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                           H5Dclose);
-  H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-           scale.coordinates.data());
-  write_texts(dataset, "units", {unit});
+  write_dataset(file, scale.name, {scale.coordinates.size()}, scale.coordinates, unit);
 }
 
 void write_scales(const Hdf5Handle& file, const Hdf5Handle& dataset,
@@ -463,50 +429,38 @@ void write_scales(const Hdf5Handle& file, const Hdf5Handle& dataset,
     H5Rcreate(&references[i], file.id(), scales[i].name, H5R_OBJECT, -1);
     list.push_back({1, &references[i]});
   }
-  const hsize_t count = list.size();
-  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
   const Hdf5Handle type(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose);
-  const Hdf5Handle attribute(
-      H5Acreate2(dataset.id(), "DIMENSION_LIST", type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-      H5Aclose);
-  REQUIRE(H5Awrite(attribute.id(), type.id(), list.data()) >= 0);
+  write_attribute(dataset, "DIMENSION_LIST", type.id(), list.size(), list.data());
 }
 
 TEST_CASE_FIXTURE(Folder, "axes are named and placed by the scales of NetCDF in any order") {
   const fs::path file = path() / "v.nc";
-  const std::vector<std::uint8_t> samples = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   {
     const Hdf5Handle opened = new_file(file);
-    const Hdf5Handle dataset = new_dataset(opened, "density", {3, 2, 2}, no_creation());
-    H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+    const Hdf5Handle dataset =
+        new_dataset(opened, "density", {3, 2, 2}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
     write_scales(opened, dataset, {{"lon", {5, 7, 9}}, {"lat", {50, 48.5}}, {"lev", {0, 4}}});
   }
   const auto reader = open_volume(file);
   CHECK(reader->info().dims == Dims{3, 2, 2});
-  CHECK(reader->info().spacing_mm == Spacing{2, -1.5, 4});
-  REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->origin_mm == Vector{5, 50, 0});
+  check_grid(reader->info(), {2, -1.5, 4}, {5, 50, 0});
   CHECK(read_all(*reader) == std::vector<double>{1, 5, 9, 3, 7, 11, 2, 6, 10, 4, 8, 12});
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "uneven coordinates are refused, unless distances are given") {
   {
     const Hdf5Handle opened = new_file(file);
-    const Hdf5Handle dataset = new_dataset(opened, "density", {3, 2, 2}, no_creation());
-    write_scales(opened, dataset, {{"lev", {0, 4, 9}}, {"lat", {0, 1}}, {"lon", {0, 1}}});
+    write_scales(opened, new_dataset(opened, "density", {3, 2, 2}),
+                 {{"lev", {0, 4, 9}}, {"lat", {0, 1}}, {"lon", {0, 1}}});
   }
   check_refused(file, "the coordinates of the axis 'lev' are uneven, from 0 to 9");
-  VolumeOptions options;
-  options.spacing_mm = {1, 1, 2};
-  CHECK(open_volume(file, options)->info().spacing_mm == Spacing{1, 1, 2});
+  CHECK(read_info(file, {{}, Spacing{1, 1, 2}}).spacing_mm == Spacing{1, 1, 2});
 }
 
-TEST_CASE_FIXTURE(Hdf5File,
-                  "values are scaled as NetCDF packs them, and the fill value is outside") {
-  const std::vector<std::uint8_t> samples = {10, 200, 255, 10};
+TEST_CASE_FIXTURE(Hdf5File, "NetCDF's packed values are scaled, and the fill value is outside") {
   {
-    const Hdf5Handle dataset = new_dataset(new_file(file), "density", {1, 2, 2}, no_creation());
-    H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+    const Hdf5Handle dataset =
+        new_dataset(new_file(file), "density", {1, 2, 2}, {10, 200, 255, 10});
     write_numbers(dataset, "scale_factor", {2});
     write_numbers(dataset, "add_offset", {20});
     write_numbers(dataset, "_FillValue", {255});
@@ -517,24 +471,20 @@ TEST_CASE_FIXTURE(Hdf5File,
   CHECK(values[0] == 40);
   CHECK(values[1] == 420);
   CHECK(std::isnan(values[2]));
-  VolumeOptions options;
-  options.holds_labels = true;
-  CHECK(read_all(*open_volume(file, options))[2] == 530);
+  CHECK(read_samples(file, with(&VolumeOptions::holds_labels, true))[2] == 530);
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "_Unsigned changes the sign of whole numbers and of the fill value") {
   for (const bool is_unsigned : {true, false}) {
     {
-      const hid_t type = is_unsigned ? H5T_STD_I8LE : H5T_STD_U8LE;
-      const Hdf5Handle dataset =
-          new_dataset(new_file(file), "density", {1, 2, 2}, no_creation(), type);
-      const std::vector<std::uint8_t> samples = {10, 200, 254, 255};
-      H5Dwrite(dataset.id(), is_unsigned ? H5T_NATIVE_INT8 : H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL,
-               H5P_DEFAULT, samples.data());
+      const Hdf5Handle dataset = new_dataset(new_file(file), "density", {1, 2, 2}, no_creation(),
+                                             is_unsigned ? H5T_STD_I8LE : H5T_STD_U8LE);
+      write_samples(dataset, Bytes{10, 200, 254, 255},
+                    is_unsigned ? H5T_NATIVE_INT8 : H5T_NATIVE_UINT8);
       write_texts(dataset, "_Unsigned", {is_unsigned ? "true" : "False"});
       write_numbers(dataset, "_FillValue", {is_unsigned ? -1.0 : 255.0});
     }
-    const auto values = read_all(*open_volume(file));
+    const auto values = read_samples(file);
     CHECK(values[0] == 10);
     CHECK(values[1] == (is_unsigned ? 200 : -56));
     CHECK(values[2] == (is_unsigned ? 254 : -2));
@@ -545,67 +495,43 @@ TEST_CASE_FIXTURE(Hdf5File, "_Unsigned changes the sign of whole numbers and of 
 TEST_CASE_FIXTURE(Hdf5File, "a fill value that is not a number leaves all others as they are") {
   for (const char* const name : {"_FillValue", "missing_value"}) {
     const bool is_nan = name[0] == '_';
-    {
-      const Hdf5Handle dataset = new_dataset(new_file(file), "density", {1, 2, 2}, no_creation());
-      write_numbers(dataset, name, {is_nan ? std::nan("") : 0});
-    }
-    CHECK(std::isnan(read_all(*open_volume(file))[0]) != is_nan);
+    write_numbers(new_dataset(new_file(file), "density", {1, 2, 2}), name,
+                  {is_nan ? std::nan("") : 0});
+    CHECK(std::isnan(read_samples(file)[0]) != is_nan);
   }
 }
 
 TEST_CASE_FIXTURE(Folder, "the geometry of DREAM3D-NX places its arrays") {
   const fs::path file = path() / "v.dream3d";
   {
-    const Hdf5Handle opened = new_file(file);
-    new_group(opened, "DataStructure");
-    const Hdf5Handle group = new_group(opened, "DataStructure/Image");
+    const Hdf5Handle group = new_group(new_file(file), "DataStructure/Image");
     write_numbers(group, "_SPACING", {2, 3, 4});
     write_numbers(group, "_ORIGIN", {5, 6, 7});
-    new_group(group, "Cell Data");
-    new_dataset(group, "Cell Data/Ids", {4, 3, 5, 1}, no_creation());
+    new_dataset(group, "Cell Data/Ids", {4, 3, 5, 1});
   }
-  const VolumeInfo info = open_volume(file)->info();
-  CHECK(info.spacing_mm == Spacing{2, 3, 4});
-  REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == Vector{5, 6, 7});
-}
-
-void write_dataset(const Hdf5Handle& file, const char* path, const std::vector<hsize_t>& sizes,
-                   const std::vector<double>& numbers) {
-  const Hdf5Handle dataset = new_dataset(file, path, sizes, no_creation(), H5T_IEEE_F64LE);
-  REQUIRE(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                   numbers.data()) >= 0);
+  check_grid(read_info(file), {2, 3, 4}, {5, 6, 7});
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "an image of ITK has the place that is stored beside it") {
   {
     const Hdf5Handle opened = new_file(file);
-    new_group(opened, "ITKImage");
-    new_group(opened, "ITKImage/0");
-    new_dataset(opened, "ITKImage/0/VoxelData", {4, 3, 5}, no_creation());
+    new_dataset(opened, "ITKImage/0/VoxelData");
     write_dataset(opened, "ITKImage/0/Spacing", {3}, {2, 3, 4});
     write_dataset(opened, "ITKImage/0/Origin", {3}, {5, 6, 7});
     write_dataset(opened, "ITKImage/0/Directions", {3, 3}, {0, 1, 0, -1, 0, 0, 0, 0, 1});
   }
-  const VolumeInfo info = open_volume(file)->info();
-  CHECK(info.spacing_mm == Spacing{2, 3, 4});
-  REQUIRE(info.placement);
-  CHECK(info.placement->space == discmc::Space::lps);
-  CHECK(info.placement->origin_mm == Vector{5, 6, 7});
+  const VolumeInfo info = read_info(file);
+  check_grid(info, {2, 3, 4}, {5, 6, 7});
+  CHECK(info.placement->space == Space::lps);
   CHECK(info.placement->axes_mm[0] == Vector{0, 2, 0});
   CHECK(info.placement->axes_mm[1] == Vector{-3, 0, 0});
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "signed cells of BigDataViewer are unsigned, and a range is noted") {
   {
-    const Hdf5Handle opened = new_file(file);
-    new_group(opened, "t00000");
-    new_group(opened, "t00000/s00");
-    new_group(opened, "t00000/s00/0");
     const Hdf5Handle cells =
-        new_dataset(opened, "t00000/s00/0/cells", {1, 2, 2}, no_creation(), H5T_STD_I16LE);
-    const std::vector<std::int16_t> samples = {-1, 2, 3, 4};
-    H5Dwrite(cells.id(), H5T_NATIVE_INT16, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+        new_dataset(new_file(file), "t00000/s00/0/cells", {1, 2, 2}, no_creation(), H5T_STD_I16LE);
+    write_samples(cells, std::vector<std::int16_t>{-1, 2, 3, 4}, H5T_NATIVE_INT16);
     write_numbers(cells, "valid_max", {9});
   }
   const auto reader = open_volume(file);
@@ -615,11 +541,11 @@ TEST_CASE_FIXTURE(Hdf5File, "signed cells of BigDataViewer are unsigned, and a r
 
 TEST_CASE_FIXTURE(Hdf5File, "resolution and offset of CREMI are nanometres") {
   {
-    const Hdf5Handle dataset = new_dataset(new_file(file), "labels", {4, 3, 5}, no_creation());
+    const Hdf5Handle dataset = new_dataset(new_file(file), "labels");
     write_numbers(dataset, "resolution", {40, 4, 8});
     write_numbers(dataset, "offset", {400, 0, 0});
   }
-  const VolumeInfo info = open_volume(file)->info();
+  const VolumeInfo info = read_info(file);
   CHECK(info.spacing_mm[0] == doctest::Approx(8e-6));
   CHECK(info.spacing_mm[2] == doctest::Approx(40e-6));
   REQUIRE(info.placement);
@@ -627,8 +553,8 @@ TEST_CASE_FIXTURE(Hdf5File, "resolution and offset of CREMI are nanometres") {
 }
 
 TEST_CASE_FIXTURE(Hdf5File, "a spacing whose order and unit are unknown is noted") {
-  write_numbers(new_dataset(new_file(file), "v", {4, 3, 5}, no_creation()), "spacing", {4, 2, 1});
-  const VolumeInfo info = open_volume(file)->info();
+  write_numbers(new_dataset(new_file(file), "v"), "spacing", {4, 2, 1});
+  const VolumeInfo info = read_info(file);
   CHECK(noted(info, "spacing is not used, because its order and unit are unknown"));
   CHECK(noted(info, "no spacing given"));
 }
@@ -637,9 +563,8 @@ TEST_CASE_FIXTURE(Folder, "the axes of NeXus place an array, also by the borders
   const fs::path file = path() / "v.nxs";
   for (const bool is_older : {false, true}) {
     {
-      const Hdf5Handle opened = new_file(file);
-      const Hdf5Handle group = new_group(opened, "entry");
-      const Hdf5Handle dataset = new_dataset(group, "data", {4, 3, 5}, no_creation());
+      const Hdf5Handle group = new_group(new_file(file), "entry");
+      const Hdf5Handle dataset = new_dataset(group, "data");
       if (is_older) {
         write_texts(dataset, "axes", {"[height:theta,x]"});
       } else {
@@ -649,16 +574,11 @@ TEST_CASE_FIXTURE(Folder, "the axes of NeXus place an array, also by the borders
       write_coordinates(group, {"height", {0, 3, 6, 9}}, "um");
       write_coordinates(group, {"x", {1, 3, 5, 7, 9, 11}});
     }
-    const VolumeInfo info = open_volume(file)->info();
-    CHECK(info.spacing_mm == Spacing{2, 1, 0.003});
+    const VolumeInfo info = read_info(file);
+    check_grid(info, {2, 1, 0.003}, {2, 0, 0});
     CHECK(noted(info, "no spacing of axis 2 given"));
-    REQUIRE(info.placement);
-    CHECK(info.placement->origin_mm == Vector{2, 0, 0});
   }
-  {
-    const Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
-    write_coordinates(opened, {"/entry/theta", {0, 1, 5}});
-  }
+  write_coordinates(reopened(file), {"/entry/theta", {0, 1, 5}});
   check_refused(file, "the coordinates of the axis 'theta' are uneven, from 0 to 5");
 }
 
@@ -666,10 +586,9 @@ TEST_CASE_FIXTURE(Folder, "the dimensions of EMD name and place an array") {
   const fs::path file = path() / "v.emd";
   for (const std::size_t first : {1U, 0U}) {
     {
-      const Hdf5Handle opened = new_file(file);
-      const Hdf5Handle group = new_group(opened, "scan");
+      const Hdf5Handle group = new_group(new_file(file), "scan");
       write_numbers(group, "emd_group_type", {1});
-      new_dataset(group, "data", {5, 3, 4}, no_creation());
+      new_dataset(group, "data", {5, 3, 4});
       // Version 1 counts from 0, and stores two coordinates.
       const std::vector<double> x =
           first == 1 ? std::vector<double>{5, 7, 9, 11, 13} : std::vector<double>{5, 7};
@@ -681,33 +600,26 @@ TEST_CASE_FIXTURE(Folder, "the dimensions of EMD name and place an array") {
                     {std::string(1, "xyz"[i])});
       }
     }
-    const VolumeInfo info = open_volume(file)->info();
+    const VolumeInfo info = read_info(file);
     CHECK(info.dims == Dims{5, 3, 4});
-    CHECK(info.spacing_mm == Spacing{0.002, 0.003, 0.004});
-    REQUIRE(info.placement);
-    CHECK(info.placement->origin_mm == Vector{0.005, 0, 0});
+    check_grid(info, {0.002, 0.003, 0.004}, {0.005, 0, 0});
   }
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a map of ChimeraX has its step and origin, and its copies do not count") {
+TEST_CASE_FIXTURE(Folder, "a map of ChimeraX has its step and origin; its copies do not count") {
   const fs::path file = path() / "v.cmap";
   for (const bool is_oblique : {false, true}) {
     {
-      const Hdf5Handle opened = new_file(file);
-      const Hdf5Handle outer = new_group(opened, "Chimera");
-      const Hdf5Handle group = new_group(outer, "image1");
-      new_dataset(group, "data_zyx", {4, 3, 5}, no_creation());
-      new_dataset(group, "data_zyx_2", {2, 2, 3}, no_creation());
+      const Hdf5Handle group = new_group(new_file(file), "Chimera/image1");
+      new_dataset(group, "data_zyx");
+      new_dataset(group, "data_zyx_2", {2, 2, 3});
       write_numbers(group, "step", {2, 3, 4});
       write_numbers(group, "origin", {5, 6, 7});
       write_numbers(group, "cell_angles", {90, 90, is_oblique ? 120.0 : 90});
     }
-    const VolumeInfo info = open_volume(file)->info();
+    const VolumeInfo info = read_info(file);
     CHECK(info.dims == Dims{5, 3, 4});
-    CHECK(info.spacing_mm == Spacing{2, 3, 4});
-    REQUIRE(info.placement);
-    CHECK(info.placement->origin_mm == Vector{5, 6, 7});
+    check_grid(info, {2, 3, 4}, {5, 6, 7});
     CHECK(noted(info, "1 angstrom is written as 1 mm"));
     CHECK(noted(info, "its cell is oblique") == is_oblique);
   }
@@ -715,9 +627,8 @@ TEST_CASE_FIXTURE(Folder,
 
 // An image of VTK with an array of zeros, and with ghost marks.
 void write_vtk(const fs::path& file, const char* type, const std::vector<double>& extent,
-               const char* array, const std::vector<hsize_t>& sizes, bool has_times = false) {
-  const Hdf5Handle opened = new_file(file);
-  const Hdf5Handle group = new_group(opened, "VTKHDF");
+               const char* array, const Sizes& sizes, bool has_times = false) {
+  const Hdf5Handle group = new_group(new_file(file), "VTKHDF");
   write_texts(group, "Type", {type});
   write_numbers(group, "WholeExtent", extent);
   write_numbers(group, "Origin", {1, 2, 3});
@@ -725,30 +636,27 @@ void write_vtk(const fs::path& file, const char* type, const std::vector<double>
   write_numbers(group, "Direction", {0, -1, 0, 1, 0, 0, 0, 0, 1});
   for (const char* const name : {"PointData", "CellData"}) new_group(group, name);
   if (has_times) new_group(group, "Steps");
-  new_dataset(group, array, sizes, no_creation());
-  new_dataset(group, "PointData/vtkGhostType", {4, 3, 5}, no_creation());
+  new_dataset(group, array, sizes);
+  new_dataset(group, "PointData/vtkGhostType");
 }
 
 TEST_CASE_FIXTURE(Folder, "attributes place an image of VTK in HDF5") {
   const fs::path file = path() / "v.vtkhdf";
   write_vtk(file, "ImageData", {5, 9, 0, 2, -1, 2}, "PointData/a", {4, 3, 5});
-  const VolumeInfo info = open_volume(file)->info();
-  REQUIRE(info.placement);
-  CHECK(info.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
-  CHECK(info.placement->origin_mm == Vector{1, 12, -1});
+  const VolumeInfo info = read_info(file);
+  check_axes(info, {{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}}, {1, 12, -1});
   CHECK_FALSE(noted(info, "the axes are not named"));
-  VolumeOptions turned;
-  turned.axes = "yzx";
-  CHECK(open_volume(file, turned)->info().placement->axes_mm ==
-        discmc::meshing::Axes{{{0, 2, 0}, {0, 0, 4}, {-3, 0, 0}}});
+  CHECK(read_info(file, with_axes("yzx")).placement->axes_mm ==
+        Axes{{{0, 2, 0}, {0, 0, 4}, {-3, 0, 0}}});
 
-  write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "CellData/a", {4, 3, 5});
-  CHECK(open_volume(file)->info().placement->origin_mm == Vector{-0.5, 3, 5});
-  write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {4, 3, 5});
+  const std::vector<double> larger = {0, 5, 0, 3, 0, 4};
+  write_vtk(file, "ImageData", larger, "CellData/a", {4, 3, 5});
+  CHECK(read_info(file).placement->origin_mm == Vector{-0.5, 3, 5});
+  write_vtk(file, "ImageData", larger, "PointData/a", {4, 3, 5});
   check_refused(file, "the array has 5 voxels along axis 1, and WholeExtent 6");
-  write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {5, 4, 6, 2});
+  write_vtk(file, "ImageData", larger, "PointData/a", {5, 4, 6, 2});
   check_refused(file, "the file holds 2 channels");
-  write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {2, 5, 4, 6}, true);
+  write_vtk(file, "ImageData", larger, "PointData/a", {2, 5, 4, 6}, true);
   check_refused(file, "the file holds 2 volumes");
   write_vtk(file, "UnstructuredGrid", {0, 4, 0, 2, 0, 3}, "PointData/a", {4, 3, 5});
   check_refused(file, "this is VTK's 'UnstructuredGrid', not ImageData");

@@ -4,7 +4,7 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contents;
+using command_tests::Workshop;
 
 constexpr int width = 8;
 constexpr int height = 6;
@@ -36,61 +36,32 @@ TEST_CASE("a folder of PNG is a volume in the natural order of names") {
     CHECK(noted(reader->info(), "no spacing given"));
     CHECK(read_all(*reader) == values(12, in_u16));
   }
-  CHECK(noted(open_volume(files / "stack/slice1.png")->info(),
+  CHECK(noted(read_info(files / "stack/slice1.png"),
               "this is one slice; for a whole stack, give its folder, or a pattern"));
-  const auto some = open_volume(files / "stack/slice?.png", {{}, Spacing{0.5, 0.5, 2}});
-  CHECK(some->info().dims[2] == 10);
-  CHECK(some->info().spacing_mm == Spacing{0.5, 0.5, 2});
+  const VolumeInfo some = read_info(files / "stack/slice?.png", {{}, Spacing{0.5, 0.5, 2}});
+  CHECK(some.dims[2] == 10);
+  CHECK(some.spacing_mm == Spacing{0.5, 0.5, 2});
 }
 
-TEST_CASE("pages of TIFF are slices, of every sample type and layout") {
-  struct Case {
-    std::string name;
-    SampleType type;
-    std::vector<double> expected;
-  };
-  const auto u16 = values(5, in_u16);
-  const std::vector<Case> cases = {
-      {"u8", SampleType::u8, values(5, in_u8)},
-      {"u16", SampleType::u16, u16},
-      {"i16", SampleType::i16, values(5, [](double v) { return v; })},
-      {"u32", SampleType::u32, values(5, [](double v) { return (v + 2000) * 70000; })},
-      {"i32", SampleType::i32, values(5, [](double v) { return v * 70000; })},
-      {"f32", SampleType::f32, values(5, [](double v) { return v / 4; })},
-      {"f64", SampleType::f64, values(5, [](double v) { return v / 10; })},
-      {"big-endian", SampleType::u16, u16},
-      {"tiles", SampleType::u16, u16},
-      {"deflate", SampleType::u16, u16},
-      {"imagej", SampleType::u16, u16},
-  };
-  for (const Case& one : cases) {
-    INFO(one.name);
-    const auto reader = open_volume(files / (one.name + ".tif"));
+// container_table_test reads every sample type.
+TEST_CASE("pages of TIFF are slices, in every layout and order of bytes") {
+  for (const std::string name : {"u16", "big-endian", "tiles", "deflate", "imagej"}) {
+    INFO(name);
+    const auto reader = open_volume(files / (name + ".tif"));
     CHECK(reader->info().dims == Dims{width, height, 5});
-    CHECK(reader->info().type == one.type);
+    CHECK(reader->info().type == SampleType::u16);
     CHECK(reader->info().format == "TIFF");
-    CHECK(read_all(*reader) == one.expected);
+    CHECK(read_all(*reader) == values(5, in_u16));
   }
 }
 
-TEST_CASE("the spacing is that of ImageJ or of the options") {
-  CHECK(open_volume(files / "imagej.tif")->info().spacing_mm == Spacing{0.5, 0.25, 2.5});
-  CHECK(open_volume(files / "imagej.tif", {{}, Spacing{1, 2, 3}})->info().spacing_mm ==
-        Spacing{1, 2, 3});
-  CHECK(noted(open_volume(files / "u16.tif")->info(), "no spacing given"));
-}
-
 TEST_CASE("pictures of eight bits and less keep their values") {
-  CHECK(read_all(*open_volume(files / "u8.png")) == values(1, in_u8));
-  CHECK(read_all(*open_volume(files / "bits.png")) ==
+  CHECK(read_samples(files / "u8.png") == values(1, in_u8));
+  CHECK(read_samples(files / "bits.png") ==
         values(1, [](double value) { return std::fmod(in_u8(value), 2); }));
   const auto greys = open_volume(files / "palette.png");  // a palette of greys
   CHECK(read_all(*greys) == values(1, in_u8));
   CHECK(!noted(greys->info(), "palette"));
-}
-
-VolumeOptions of_channel(std::uint32_t channel) {
-  return with(&VolumeOptions::channel, channel);
 }
 
 TEST_CASE("the option that the refusal advises selects a channel of a colour picture") {
@@ -98,16 +69,16 @@ TEST_CASE("the option that the refusal advises selects a channel of a colour pic
                 "the file holds 3 channels ('red', 'green', 'blue'), and one is read at a time; "
                 "choose one with --channel N, the first is 0");
   check_refused(files / "alpha.png", "2 channels ('grey', 'alpha')");
-  CHECK(read_all(*open_volume(files / "alpha.png", of_channel(0))) == values(1, in_u8));
+  CHECK(read_samples(files / "alpha.png", of_channel(0)) == values(1, in_u8));
   for (const std::string name : {"rgb.png", "rgb.tif"})
     for (const std::uint32_t channel : {0U, 1U, 2U})
-      CHECK(read_all(*open_volume(files / name, of_channel(channel))) == values(1, in_u8));
+      CHECK(read_samples(files / name, of_channel(channel)) == values(1, in_u8));
   const std::vector<double> all = values(3, in_u8);
   for (const std::string name : {"colours.png", "colours.bmp"})
     for (const std::uint32_t channel : {0U, 1U, 2U}) {
       INFO(name, " ", channel);
       const auto first = all.begin() + channel * width * height;
-      CHECK(read_all(*open_volume(files / name, of_channel(channel))) ==
+      CHECK(read_samples(files / name, of_channel(channel)) ==
             std::vector<double>(first, first + width * height));
     }
 }
@@ -124,7 +95,7 @@ TEST_CASE_FIXTURE(Folder, "JPEG is read, and a channel of a colour JPEG") {
   const auto grey = open_volume(files / "u8.jpg");
   CHECK(grey->info().format == "JPEG");
   CHECK(near(read_all(*grey), 0) < 4);
-  CHECK(near(read_all(*open_volume(files / "colours.jpg", of_channel(2))), 2) < 16);
+  CHECK(near(read_samples(files / "colours.jpg", of_channel(2)), 2) < 16);
   check_refused(files / "colours.jpg", "3 channels");
   // Otherwise the library would fill a truncated picture with grey.
   const std::string bytes = contents(files / "u8.jpg");
@@ -143,17 +114,15 @@ TEST_CASE_FIXTURE(Folder, "the EXIF orientation of JPEG turns the picture, or is
     return write("v.jpg", bytes.substr(0, 2) + "\xff\xe1" + size + exif + bytes.substr(2));
   };
   for (const bool is_lowest : {false, true}) {
-    const auto info = open_volume(turned(is_lowest ? 3 : 2, 0))->info();
+    const auto info = read_info(turned(is_lowest ? 3 : 2, 0));
     CHECK(noted(info, "the first column is the right one"));
     CHECK(noted(info, "the first row is the lowest") == is_lowest);
   }
-  CHECK_FALSE(noted(open_volume(turned(4, 0))->info(), "the first column"));
+  CHECK_FALSE(noted(read_info(turned(4, 0)), "the first column"));
   check_refused(turned(6, 0), "its EXIF orientation exchanges rows and columns", "-auto-orient");
-  for (std::size_t cut = 7; cut < 30; ++cut)
-    CHECK(!noted(open_volume(turned(6, cut))->info(), "row"));
+  for (std::size_t cut = 7; cut < 30; ++cut) CHECK(!noted(read_info(turned(6, cut)), "row"));
 }
 
-// Inserts a chunk behind the header of a PNG file.
 std::string with_chunk(const std::string& png, const std::string& chunk) {
   const auto big = [](std::uint64_t number) {
     return bytes_of(static_cast<std::uint32_t>(number), true);
@@ -170,7 +139,7 @@ TEST_CASE_FIXTURE(Folder, "the EXIF orientation of PNG turns the picture, or is 
     const std::string exif("eXIfMM\0*\0\0\0\10\0\1\1\22\0\3\0\0\0\1\0", 23);
     return write("v.png", with_chunk(png, exif + orientation + std::string(6, '\0')));
   };
-  CHECK(noted(open_volume(turned(4))->info(), "the first row is the lowest"));
+  CHECK(noted(read_info(turned(4)), "the first row is the lowest"));
   check_refused(turned(6), "its EXIF orientation exchanges rows and columns");
 }
 
@@ -179,7 +148,7 @@ TEST_CASE_FIXTURE(Folder, "a resolution without a unit is noted if pixels are no
   const auto notes = [&](char y) {
     const std::string pixels("pHYs\0\0\0\2\0\0\0", 11);
     const auto file = write("v.png", with_chunk(png, pixels + y + '\0'));
-    return open_volume(file)->info();
+    return read_info(file);
   };
   CHECK(noted(notes(1), "which has no unit, is not used; to use it, give --spacing 1,2,Z"));
   CHECK(!noted(notes(2), "resolution"));
@@ -188,12 +157,12 @@ TEST_CASE_FIXTURE(Folder, "a resolution without a unit is noted if pixels are no
 TEST_CASE_FIXTURE(Folder, "a picture is recognized by its first bytes under any name") {
   for (const std::string name : {"u8.png", "u8.tif", "u8.jpg", "u8.bmp"}) {
     const std::string bytes = contents(files / name);
-    if (name != "u8.bmp") CHECK(open_volume(write("picture", bytes))->info().dims[0] == width);
-    CHECK(open_volume(write("v.png", bytes))->info().dims[0] == width);
+    if (name != "u8.bmp") CHECK(read_info(write("picture", bytes)).dims[0] == width);
+    CHECK(read_info(write("v.png", bytes)).dims[0] == width);
   }
   check_refused(write("v.png", "no picture"), "not a PNG, TIFF, JPEG or BMP file");
   for (const std::string name : {"slice1", "slice2"}) write(name, contents(files / "u8.png"));
-  CHECK(open_volume(path() / "slice*")->info().dims[2] == 2);
+  CHECK(read_info(path() / "slice*").dims[2] == 2);
 }
 
 TEST_CASE_FIXTURE(Folder, "a slice of another size or type is refused by its name") {
@@ -204,15 +173,10 @@ TEST_CASE_FIXTURE(Folder, "a slice of another size or type is refused by its nam
   check_refused(path() / "b*.png", "no file matches the pattern");
 }
 
-VolumeOptions with_gaps_allowed() {
-  return with(&VolumeOptions::allow_gaps, true);
-}
-
 std::string slice(int z) {
   return contents(files / "stack" / ("slice" + std::to_string(z) + ".png"));
 }
 
-// Slices of the stack, by numbers in their names.
 class NumberedStack : public Folder {
  public:
   explicit NumberedStack(const std::vector<int>& numbers) {
@@ -230,7 +194,7 @@ TEST_CASE("a missing number among the names is refused with its place") {
 
 TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a note") {
   const NumberedStack stack({8, 9, 11, 12, 13, 16});
-  const auto reader = open_volume(stack.path(), with_gaps_allowed());
+  const auto reader = open_volume(stack.path(), gaps_allowed);
   CHECK(noted(reader->info(), "3 slices are missing, the largest of 2 gaps between a2_13.png and"));
   CHECK(reader->info().dims[2] == 9);
   const std::vector<double> all = read_all(*reader);
@@ -247,19 +211,19 @@ TEST_CASE("names with even steps, two numbers, or constant numbers have no gaps"
   for (const std::vector<int>& numbers :
        {std::vector<int>{0, 10, 20, 30}, {3, 9}, {17, 23, 31, 40, 45}}) {
     const NumberedStack stack(numbers);
-    const auto reader = open_volume(stack.path(), {{}, Spacing{1, 1, 1}});
-    CHECK(reader->info().dims[2] == numbers.size());
-    CHECK(reader->info().notes.empty());
+    const VolumeInfo info = read_info(stack.path(), {{}, Spacing{1, 1, 1}});
+    CHECK(info.dims[2] == numbers.size());
+    CHECK(info.notes.empty());
   }
   const Folder two_numbers;
   for (int z = 0; z < 4; ++z)
     two_numbers.write("a" + std::to_string(z / 3) + "b" + std::to_string(z * z) + ".png", slice(z));
-  CHECK(open_volume(two_numbers.path())->info().dims[2] == 4);
+  CHECK(read_info(two_numbers.path()).dims[2] == 4);
 }
 
 TEST_CASE("more missing than present slices are refused with the largest gap") {
   const NumberedStack stack({1, 2, 3, 5, 900});
-  for (const VolumeOptions& options : {VolumeOptions{}, with_gaps_allowed()})
+  for (const VolumeOptions& options : {VolumeOptions{}, gaps_allowed})
     check_refused(stack.path(), options,
                   "895 slices are missing, the largest of 2 gaps between a2_5.png and a2_900.png, "
                   "which is too many to fill");
@@ -272,7 +236,7 @@ TEST_CASE("a folder with several kinds of pictures is refused with the remedy") 
                 "2 PNG and 1 TIFF files are not one volume; give a pattern "
                 "of one kind, such as '" +
                     (stack.path() / "*.png").string());
-  CHECK(open_volume(stack.path() / "*.png")->info().dims[2] == 2);
+  CHECK(read_info(stack.path() / "*.png").dims[2] == 2);
   stack.write("notes.txt", "of a colleague");
   check_refused(stack.path() / "*[gt]",
                 "and other files, such as 'notes.txt'; give a "
@@ -293,11 +257,10 @@ TEST_CASE_FIXTURE(Folder, "truncated pictures are refused") {
   }
 }
 
-TEST_CASE("one command converts a stack of pictures to a mesh") {
-  const command_tests::Workshop workshop;
-  workshop.done("extract '" + (files / "stack/*.png").string() +
-                "' --iso 2000 --spacing 0.5,0.5,2 -o v.stl");
-  CHECK(!command_tests::mesh_of_stl(workshop.read("v.stl")).vertices_mm.empty());
+TEST_CASE_FIXTURE(Workshop, "one command converts a stack of pictures to a mesh") {
+  done("extract '" + (files / "stack/*.png").string() +
+       "' --iso 2000 --spacing 0.5,0.5,2 -o v.stl");
+  CHECK(!mesh_in("v.stl").vertices_mm.empty());
 }
 
 }  // namespace

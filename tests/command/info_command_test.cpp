@@ -8,13 +8,11 @@ using namespace volume_files;
 
 const std::string directions =
     "space: LPS\nspace directions: (0.5,0,0) (0,2,0) (0,0,3)\nspace origin: (1,2,3)\n";
-const std::string u8_file =
-    nrrd(volume_files::nrrd_u8 + directions) + "\n" + stored(SampleType::u8);
+const std::string u8_file = nrrd(nrrd_u8 + directions) + "\n" + u8;
 
-// A volume with voxels of two millimetres, as text.
 std::string text_volume(const std::string& type, const std::string& sizes,
                         const std::string& samples) {
-  return nrrd("type: " + type + "\nencoding: ascii\nspacings: 2 2 2\n", sizes) + "\n" + samples;
+  return text_nrrd(type, sizes, samples, "2");
 }
 
 bool has_line(const std::string& text, const std::string& line) {
@@ -80,8 +78,7 @@ TEST_CASE_FIXTURE(
   CHECK(!contains(done("info v.nrrd"), "--label"));
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "info proposes Otsu's threshold, and those of tissue for Hounsfield units") {
+TEST_CASE_FIXTURE(Workshop, "info proposes Otsu's threshold, and tissues in Hounsfield units") {
   write("ct.nrrd", text_volume("short", "2 2 2", "-1000 -1000 -990 40 50 60 1200 1100"));
   write("mri.nrrd", text_volume("float", "2 2 2", "0.1 0.2 0.1 0.3 0.7 0.8 0.75 nan"));
   const std::string ct = done("info ct.nrrd");
@@ -128,7 +125,7 @@ TEST_CASE_FIXTURE(
     Workshop,
     "a file without a known extension is recognized by its first bytes, else it is a stream") {
   write("v.nrrd", u8_file);
-  write("v.raw", stored(SampleType::u8));
+  write("v.raw", u8);
   done("extract v.nrrd --iso 100 -q -o v.dmc");
   const std::string volume = done("info v.nrrd");
   const std::string stream = done("info v.dmc");
@@ -145,8 +142,8 @@ TEST_CASE_FIXTURE(
 }
 
 TEST_CASE_FIXTURE(Workshop, "a large input is replayed whole") {
-  write("v.nrrd", nrrd(volume_files::nrrd_u8, "300 300 10") + "\n" +
-                      std::string(300 * 300 * 10 - 1, '\1') + '\7');
+  write("v.nrrd",
+        nrrd(nrrd_u8, "300 300 10") + "\n" + std::string(300 * 300 * 10 - 1, '\1') + '\7');
   const Result result = shell("cat v.nrrd | \"$discmc\" info -");
   CHECK(result.out == done("info v.nrrd"));
   CHECK(contains(result.out, "\nhistogram          7          7           1 #\n"));

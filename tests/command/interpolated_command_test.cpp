@@ -27,7 +27,7 @@ struct Ball : Workshop {
 TEST_CASE_FIXTURE(Ball, "an interpolated surface is written unchanged in every format") {
   for (const double tolerance : {0.05, 0.2}) {
     done(extract + "--surface interpolated --tolerance " + std::to_string(tolerance) + " -o v.obj");
-    const FaceMesh written = mesh_of_obj(read("v.obj"));
+    const FaceMesh written = mesh_in("v.obj");
     const FaceMesh made = sampled_field::interpolated(sampled_field::extracted(ball), tolerance);
     CHECK(written.vertices_mm == made.vertices_mm);
     CHECK(written.corners == made.corners);
@@ -42,10 +42,10 @@ TEST_CASE_FIXTURE(Ball, "an interpolated surface is written unchanged in every f
 
 TEST_CASE_FIXTURE(Ball, "a relaxed surface is the same of a volume and of its streams") {
   done(extract + "--surface relaxed --tolerance 0 -o v.obj");
-  const FaceMesh relaxed = mesh_of_obj(read("v.obj"));
+  const FaceMesh relaxed = mesh_in("v.obj");
   CHECK(check_mesh(relaxed).is_closed());
   done(extract + "--tolerance 0 --surface interpolated -o interpolated.obj");
-  CHECK(relaxed.vertices_mm != mesh_of_obj(read("interpolated.obj")).vertices_mm);
+  CHECK(relaxed.vertices_mm != mesh_in("interpolated.obj").vertices_mm);
   const auto sorted = [](auto vertices) {
     std::sort(vertices.begin(), vertices.end());
     return vertices;
@@ -53,7 +53,7 @@ TEST_CASE_FIXTURE(Ball, "a relaxed surface is the same of a volume and of its st
   for (const std::string wire : {"regions", "slices"}) {
     done(extract + "--wire " + wire + " -o v.dmc");
     done("decode v.dmc --surface relaxed --tolerance 0 --normals surface -o decoded.obj");
-    const FaceMesh decoded = mesh_of_obj(read("decoded.obj"));
+    const FaceMesh decoded = mesh_in("decoded.obj");
     CHECK(sorted(decoded.vertices_mm) == sorted(relaxed.vertices_mm));
     CHECK(decoded.normals.size() == decoded.vertices_mm.size());
   }
@@ -65,19 +65,18 @@ TEST_CASE_FIXTURE(Ball, "a relaxed surface is the same of a volume and of its st
   CHECK(read("stream.png") != read("merged.png"));
 }
 
-TEST_CASE_FIXTURE(Ball,
-                  "a stream with levels has the interpolated surface, and the same polygons") {
+TEST_CASE_FIXTURE(Ball, "a stream with levels has the interpolated surface and its polygons") {
   done(extract + "--wire slices -o plain.dmc");
   done("decode plain.dmc -o plain.obj");
   done(extract + "--surface interpolated --tolerance 0 -o exact.obj");
-  const FaceMesh exact = mesh_of_obj(read("exact.obj"));
+  const FaceMesh exact = mesh_in("exact.obj");
   double farthest_of_less = 1;
   for (const std::string levels : {"2", "4"}) {
     done(extract + "--wire slices --levels " + levels + " -o v.dmc");
     done("decode v.dmc -o v.obj");
     CHECK(read("v.obj") == read("plain.obj"));
     done("decode v.dmc --surface interpolated --tolerance 0 -o v.obj");
-    const FaceMesh mesh = mesh_of_obj(read("v.obj"));
+    const FaceMesh mesh = mesh_in("v.obj");
     CHECK(check_mesh(mesh).is_closed());
     const double farthest = discmc::meshing::distances(mesh, exact).largest;
     CHECK(farthest < 0.75 * farthest_of_less);
@@ -97,8 +96,7 @@ TEST_CASE_FIXTURE(Ball, "a picture shows the kind of surface that is given") {
   CHECK(pictures.size() == 3);
 }
 
-TEST_CASE_FIXTURE(
-    Ball, "a mask with two values is reported as unsuitable for interpolation, with the remedy") {
+TEST_CASE_FIXTURE(Ball, "a mask of two values is reported as unsuitable to interpolate") {
   std::string mask = read("v.raw");
   for (char& sample : mask) sample = static_cast<char>(static_cast<unsigned char>(sample) >= 50);
   write("mask.raw", mask);
@@ -123,7 +121,7 @@ TEST_CASE_FIXTURE(
 TEST_CASE_FIXTURE(Ball, "the normals of an interpolated ball are its radii") {
   for (const std::string normals : {"surface", "gradient"}) {
     done(extract + "--surface interpolated --normals " + normals + " -o v.obj");
-    const FaceMesh mesh = mesh_of_obj(read("v.obj"));
+    const FaceMesh mesh = mesh_in("v.obj");
     REQUIRE(mesh.normals.size() == mesh.vertices_mm.size());
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
       const auto radius = discmc::meshing::difference(mesh.vertices_mm[i], {6.5, 6.5, 6.5});
@@ -132,8 +130,7 @@ TEST_CASE_FIXTURE(Ball, "the normals of an interpolated ball are its radii") {
   }
 }
 
-TEST_CASE_FIXTURE(Ball,
-                  "--surface interpolated refuses polygons, T-junctions, streams and labels") {
+TEST_CASE_FIXTURE(Ball, "--surface interpolated refuses polygons, streams and labels") {
   done(extract + "--wire slices -o s.dmc");
   const std::string interpolated = extract + "--surface interpolated ";
   fails(interpolated + "-o v.dmc", 2, {"--surface", "v.dmc"});

@@ -1,7 +1,5 @@
 // Merged polygons with vertices moved to the crossings of the samples.
 #include "command.hpp"
-#include "meshes/intersections.hpp"
-#include "meshes/mesh.hpp"
 #include "meshes/point_distance.hpp"
 #include "sampled_field.hpp"
 
@@ -35,10 +33,6 @@ Field plate(std::uint32_t seed) {
     if (z != std::floor(4 - x / 8) + 2) return chance.below(40);
     return 50 + chance.below(4) * (chance.below(4) == 0 ? 10 : 1);
   });
-}
-
-std::size_t intersections_of(const FileMesh& mesh) {
-  return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
 // A crossing next to a voxel keeps a distance from it.
@@ -78,10 +72,10 @@ TEST_CASE("an interpolated mesh is closed and faces outside for axes in either d
 TEST_CASE("triangles intersect only where the interpolated surface does") {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Extracted of = extracted(plate(seed));
-    const std::size_t own = intersections_of(interpolated(of, 0));
+    const std::size_t own = crossing_pairs(interpolated(of, 0));
     for (const double tolerance : {0.05, 0.1, 1e300}) {
       const FileMesh mesh = interpolated(of, tolerance);
-      CHECK(intersections_of(mesh) <= own);
+      CHECK(crossing_pairs(mesh) <= own);
       CHECK(std::set<std::uint32_t>(mesh.corners.begin(), mesh.corners.end()).size() ==
             mesh.vertices_mm.size());
       CHECK(check_mesh(mesh).is_closed());

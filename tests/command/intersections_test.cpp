@@ -12,7 +12,6 @@ using discmc::test::Chance;
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
-// corners: three per face.
 FaceMesh mesh_of(std::vector<Point> vertices, std::vector<std::uint32_t> corners) {
   FaceMesh mesh;
   mesh.vertices_mm = std::move(vertices);

@@ -20,6 +20,16 @@ Labels table_of(const std::string& text) {
   return labels;
 }
 
+void check_no_table(const std::string& text, const std::string& part) {
+  CHECK_THROWS_WITH_AS(table_of(text), doctest::Contains(part.c_str()), VolumeError);
+}
+
+void check_label(const discmc::command::LabelDescription& label, const std::string& name,
+                 const std::optional<Srgb>& colour = {}) {
+  CHECK(label.name == name);
+  CHECK(label.colour == colour);
+}
+
 }  // namespace
 
 TEST_CASE("a table of 3D Slicer or FreeSurfer has a name, then a colour") {
@@ -27,12 +37,9 @@ TEST_CASE("a table of 3D Slicer or FreeSurfer has a name, then a colour") {
       "# Color table file\n\n0 Background 0 0 0 0\n1 Liver 221 130 101 255\r\n"
       "  17\tLeft-Hippocampus   220 216  20   0\n-3 unpainted\n");
   CHECK(table.size() == 4);
-  CHECK(table.at(1).name == "Liver");
-  CHECK(table.at(1).colour == Srgb{221, 130, 101});
-  CHECK(table.at(17).name == "Left-Hippocampus");
-  CHECK(table.at(17).colour == Srgb{220, 216, 20});
-  CHECK(table.at(-3).name == "unpainted");
-  CHECK_FALSE(table.at(-3).colour);
+  check_label(table.at(1), "Liver", Srgb{221, 130, 101});
+  check_label(table.at(17), "Left-Hippocampus", Srgb{220, 216, 20});
+  check_label(table.at(-3), "unpainted");
 }
 
 TEST_CASE("a table of ITK-SNAP has the name last, in quotes") {
@@ -41,14 +48,12 @@ TEST_CASE("a table of ITK-SNAP has the name last, in quotes") {
       "    0     0    0    0        0  0  0    \"Clear Label\"\n"
       "    2     0  255    0        1  1  1    \"Left ventricle\"\n");
   CHECK(table.at(0).name == "Clear Label");
-  CHECK(table.at(2).name == "Left ventricle");
-  CHECK(table.at(2).colour == Srgb{0, 255, 0});
+  check_label(table.at(2), "Left ventricle", Srgb{0, 255, 0});
 }
 
 TEST_CASE("a colour may stand on either side of a name in quotes") {
   const Labels table = table_of("12 \"Uber a\" 10 20 30 255\n3 \"liver\" 255 0 0\n4 \"bone\"\n");
-  CHECK(table.at(12).name == "Uber a");
-  CHECK(table.at(12).colour == Srgb{10, 20, 30});
+  check_label(table.at(12), "Uber a", Srgb{10, 20, 30});
   CHECK(table.at(3).colour == Srgb{255, 0, 0});
   CHECK_FALSE(table.at(4).colour);
   CHECK(table_of("3 \"liver\" 255 0 0 255").at(3).colour == Srgb{255, 0, 0});
@@ -58,10 +63,8 @@ TEST_CASE("a table of BIDS has columns in any order") {
   const Labels table = table_of(
       "name\tindex\tmapping\tcolor\nGray Matter\t1\t\t#ff53bB\nWhite "
       "Matter\t2\t7\nBone\t3\t\tn/a\n");
-  CHECK(table.at(1).name == "Gray Matter");
-  CHECK(table.at(1).colour == Srgb{0xff, 0x53, 0xbb});
-  CHECK(table.at(2).name == "White Matter");
-  CHECK_FALSE(table.at(2).colour);
+  check_label(table.at(1), "Gray Matter", Srgb{0xff, 0x53, 0xbb});
+  check_label(table.at(2), "White Matter");
   CHECK_FALSE(table.at(3).colour);
   const Labels marked = table_of(
       "\xEF\xBB\xBF"
@@ -76,11 +79,9 @@ TEST_CASE("a table of 3D Slicer between commas may have names of terms alone") {
       "5,,144,238,144,255,Kidney,Right\n"
       "10,\"artery, renal\",1,2,3,255,,\n11,bone,,,,,,\n");
   CHECK(table.size() == 4);
-  CHECK(table.at(1).name == "left_kidney");
-  CHECK(table.at(1).colour == Srgb{185, 102, 83});
+  check_label(table.at(1), "left_kidney", Srgb{185, 102, 83});
   CHECK(table.at(5).name == "Right Kidney");
-  CHECK(table.at(10).name == "artery, renal");
-  CHECK(table.at(10).colour == Srgb{1, 2, 3});
+  check_label(table.at(10), "artery, renal", Srgb{1, 2, 3});
   CHECK_FALSE(table.at(11).colour);
 }
 
@@ -95,42 +96,36 @@ TEST_CASE("dataset.json of nnU-Net names labels in both of its forms") {
   CHECK(table.at(720575940621039145).name == "id");
   const Labels first = table_of("\n {\"labels\": {\"0\": \"background\", \"2\": \"L\u00e4sion\"}}");
   CHECK(first.at(2).name == "L\xC3\xA4sion");
-  const auto check_refused = [](const std::string& text, const std::string& part) {
-    CHECK_THROWS_WITH_AS(table_of(text), doctest::Contains(part.c_str()), VolumeError);
-  };
-  check_refused("{\"labels\": {\"liver\": 1}", "the file is not JSON");
-  check_refused("{\"label\": {}}", "no object \"labels\"");
-  check_refused("{\"labels\": [1]}", "no object \"labels\"");
-  check_refused("{\"labels\": {}}", "no object \"labels\"");
-  check_refused("{\"labels\": {\"liver\": 1.5}}", "label 'liver' is '1.5'");
-  check_refused("{\"labels\": {\"liver\": \"one\"}}", "label 'liver' is '\"one\"'");
-  check_refused("{\"labels\": {\"liver\": []}}", "label 'liver' is '[]'");
-  check_refused("{\"labels\": {\"liver\": [1, \"2\"]}}", "label 'liver' is");
+  check_no_table("{\"labels\": {\"liver\": 1}", "the file is not JSON");
+  check_no_table("{\"label\": {}}", "no object \"labels\"");
+  check_no_table("{\"labels\": [1]}", "no object \"labels\"");
+  check_no_table("{\"labels\": {}}", "no object \"labels\"");
+  check_no_table("{\"labels\": {\"liver\": 1.5}}", "label 'liver' is '1.5'");
+  check_no_table("{\"labels\": {\"liver\": \"one\"}}", "label 'liver' is '\"one\"'");
+  check_no_table("{\"labels\": {\"liver\": []}}", "label 'liver' is '[]'");
+  check_no_table("{\"labels\": {\"liver\": [1, \"2\"]}}", "label 'liver' is");
 }
 
 TEST_CASE_FIXTURE(Folder, "a line that is no label is refused with its number") {
-  const auto check_refused = [](const std::string& text, const std::string& part) {
-    CHECK_THROWS_WITH_AS(table_of(text), doctest::Contains(part.c_str()), VolumeError);
-  };
-  check_refused("1 bone\n\nskin 2\n", "line 3 is 'skin 2'");
-  check_refused("1\n", "line 1");
-  check_refused("1 2 3 4 5 6 7 \"open\n", "line 1");
-  check_refused("\"bone\" 1\n", "line 1");
-  check_refused("1 1 1 1 1 1 1 \"\"\n", "line 1");
-  check_refused("index\tname\n1\n", "line 2");
-  check_refused("99999999999999999999 bone\n", "line 1");
-  check_refused("1 bone\n1 skin\n", "label 1 is given twice; delete line 2");
+  check_no_table("1 bone\n\nskin 2\n", "line 3 is 'skin 2'");
+  check_no_table("1\n", "line 1");
+  check_no_table("1 2 3 4 5 6 7 \"open\n", "line 1");
+  check_no_table("\"bone\" 1\n", "line 1");
+  check_no_table("1 1 1 1 1 1 1 \"\"\n", "line 1");
+  check_no_table("index\tname\n1\n", "line 2");
+  check_no_table("99999999999999999999 bone\n", "line 1");
+  check_no_table("1 bone\n1 skin\n", "label 1 is given twice; delete line 2");
   CHECK_THROWS_WITH_AS(read_label_table("/none/table"), doctest::Contains("/none/table"),
                        VolumeError);
-  check_refused("", "the table has no label");
-  check_refused("# nothing\n", "the table has no label");
-  check_refused("3 vena cava 1 2 3\n", "line 1");
-  check_refused("3 vein 1 2 300\n", "line 1");
-  check_refused("3 vein 0.1 0.2 0.3\n", "line 1");
-  check_refused("3 \"vein\" 1 2 300\n", "line 1");
-  check_refused("3 1 2 300 1 1 1 \"vein\"\n", "line 1");
-  check_refused("index\tname\tcolor\n1\tvein\t#zz0000\n", "line 2");
-  check_refused("LabelValue,Name\n1,\n", "line 2");
-  check_refused("LabelValue,Name,Color_R,Color_G,Color_B\n1,vein,1,2\n", "line 2");
+  check_no_table("", "the table has no label");
+  check_no_table("# nothing\n", "the table has no label");
+  check_no_table("3 vena cava 1 2 3\n", "line 1");
+  check_no_table("3 vein 1 2 300\n", "line 1");
+  check_no_table("3 vein 0.1 0.2 0.3\n", "line 1");
+  check_no_table("3 \"vein\" 1 2 300\n", "line 1");
+  check_no_table("3 1 2 300 1 1 1 \"vein\"\n", "line 1");
+  check_no_table("index\tname\tcolor\n1\tvein\t#zz0000\n", "line 2");
+  check_no_table("LabelValue,Name\n1,\n", "line 2");
+  check_no_table("LabelValue,Name,Color_R,Color_G,Color_B\n1,vein,1,2\n", "line 2");
   CHECK_THROWS_WITH_AS(read_label_table(path()), doctest::Contains("cannot be read"), VolumeError);
 }

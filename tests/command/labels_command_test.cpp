@@ -5,6 +5,8 @@
 namespace {
 
 using namespace command_tests;
+using discmc::command::label_colour;
+using discmc::command::Srgb;
 
 const std::string extract = "extract v.raw --dims 4,2,3 --type u8 --spacing 1,1,1 ";
 
@@ -78,8 +80,8 @@ TEST_CASE_FIXTURE(LabelVolume, "a table names the meshes of labels") {
   done(extract + "--label 9 --label 7 --allow-empty --label-table table.txt -o 'one-{name}.ply'");
   CHECK(read("bone-9.ply") == read("one-bone.ply"));
   CHECK_FALSE(read("one-7.ply").empty());
-  CHECK(mesh_of_ply(read("bone.ply")).colour == discmc::command::Srgb{1, 2, 3});
-  CHECK(mesh_of_ply(read("skin.ply")).colour == discmc::command::Srgb{4, 5, 6});
+  CHECK(mesh_in("bone.ply").colour == Srgb{1, 2, 3});
+  CHECK(mesh_in("skin.ply").colour == Srgb{4, 5, 6});
 }
 
 TEST_CASE_FIXTURE(LabelVolume, "the colour of a label is in OBJ, by a file beside it, and in VTP") {
@@ -90,15 +92,14 @@ TEST_CASE_FIXTURE(LabelVolume, "the colour of a label is in OBJ, by a file besid
   CHECK(read("my_bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
   CHECK(contains(run(label + "-o '{name}.obj' && cat bone.mtl").out, "bone.obj"));
   done(label + "--normals surface -o '{name}.vtp'");
-  CHECK(command_tests::mesh_of_vtp(read("bone.vtp")).colour == discmc::command::Srgb{51, 102, 255});
+  CHECK(mesh_in("bone.vtp").colour == Srgb{51, 102, 255});
   done(extract + "--iso 1 -o plain.obj");
   CHECK_FALSE(contains(read("plain.obj"), "mtllib"));
   const std::vector<std::string> names = file_names();
   CHECK(std::count(names.begin(), names.end(), "plain.mtl") == 0);
 }
 
-TEST_CASE_FIXTURE(LabelVolume,
-                  "OBJ meshes whose names differ in spaces alone have materials of their own") {
+TEST_CASE_FIXTURE(LabelVolume, "OBJ names that differ in spaces alone have own materials") {
   write("table.txt", "1 my_bone 51 102 255\n2 \"my bone\" 255 0 0\n");
   done(extract + "--labels 1,2 --label-table table.txt -o '{name}.obj'");
   CHECK(contains(read("my_bone.obj"), "\nmtllib my_bone.mtl\n"));
@@ -109,8 +110,7 @@ TEST_CASE_FIXTURE(LabelVolume,
   CHECK_FALSE(read("my bone.ply").empty());
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "segments of 3D Slicer name the meshes of labels if no table is given") {
+TEST_CASE_FIXTURE(Workshop, "without a table, segments of 3D Slicer name the meshes of labels") {
   write("v.seg.nrrd",
         "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 2 3\nencoding: raw\n"
         "Segment0_Color:=0.5 1 0\nSegment0_ID:=a\nSegment0_LabelValue:=2\n"
@@ -119,19 +119,18 @@ TEST_CASE_FIXTURE(Workshop,
         "Segment1_LabelValue:=none\nSegment1_Name:=lost\n\n" +
             volume);
   done("extract v.seg.nrrd --labels all -o '{name}.ply'");
-  const auto colour = [&](const std::string& name) { return mesh_of_ply(read(name)).colour; };
-  CHECK(colour("left lung_top.ply") == discmc::command::Srgb{128, 255, 0});
+  const auto colour = [&](const std::string& name) { return mesh_in(name).colour; };
+  CHECK(colour("left lung_top.ply") == Srgb{128, 255, 0});
   CHECK_FALSE(read("bone.ply").empty());
-  CHECK(colour("bone.ply") == discmc::command::label_colour(1));
-  CHECK(colour("9.ply") == discmc::command::label_colour(9));
+  CHECK(colour("bone.ply") == label_colour(1));
+  CHECK(colour("9.ply") == label_colour(9));
   write("table.txt", "1 tibia 1 2 3\n");
   done("extract v.seg.nrrd --labels all --label-table table.txt -o 'own-{name}.ply'");
   CHECK_FALSE(read("own-tibia.ply").empty());
   CHECK_FALSE(read("own-2.ply").empty());
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "segments that overlap are read from all layers, as 3D Slicer writes them") {
+TEST_CASE_FIXTURE(Workshop, "overlapping segments of 3D Slicer are read from all layers") {
   write("layers.seg.nrrd", layered());
   const std::string told = done("extract layers.seg.nrrd --labels all -o '{name}.ply'");
   write("v.raw", volume);
@@ -145,7 +144,7 @@ TEST_CASE_FIXTURE(Workshop,
     return read("l.jsonl");
   };
   CHECK(contains(told, "       1             6"));
-  CHECK(mesh_of_ply(read("Bone.ply")).colour == discmc::command::Srgb{128, 255, 0});
+  CHECK(mesh_in("Bone.ply").colour == Srgb{128, 255, 0});
   CHECK_FALSE(read("Tee_th.ply").empty());
   CHECK(layer("Bone") == alone("v.raw", "1"));
   CHECK(layer("Tee/th") == alone("v.raw", "2"));
@@ -153,7 +152,7 @@ TEST_CASE_FIXTURE(Workshop,
   CHECK(layer("skin") == alone("w.raw", "1"));
   CHECK(layer("9") == alone("v.raw", "9"));
   // In the space of the file.
-  const FileMesh skin = mesh_of_ply(read("Skin.ply"));
+  const FileMesh skin = mesh_in("Skin.ply");
   for (const Point& vertex : skin.vertices_mm) CHECK(vertex[2] >= 39);
   std::string both = volume;
   for (std::size_t i = 0; i < both.size(); ++i)
@@ -217,8 +216,7 @@ TEST_CASE_FIXTURE(Workshop, "a label that several segments share has no name") {
   CHECK(contains(one, "one-Teeth.stl"));
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "a file of NIfTI names its labels itself, as TotalSegmentator writes it") {
+TEST_CASE_FIXTURE(Workshop, "the extension of TotalSegmentator in NIfTI names its labels") {
   const std::string xml =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?> <CaretExtension>  <VolumeInformation "
       "Index=\"0\"> "
@@ -245,7 +243,7 @@ TEST_CASE_FIXTURE(Workshop,
       INFO(is_big_endian, code);
       write("v.nii", nifti(is_big_endian, {{4, "<AFNI/>"}, {code, xml}}));
       done("extract v.nii --labels all -q -o '{name}.ply'");
-      CHECK(mesh_of_ply(read("liver.ply")).colour == discmc::command::Srgb{255, 128, 0});
+      CHECK(mesh_in("liver.ply").colour == Srgb{255, 128, 0});
       done("extract v.nii --label 'right lung,9' -q -o v.stl");
       done("extract v.nii --label 2,9 -q -o w.stl");
       CHECK(read("v.stl") == read("w.stl"));
@@ -307,8 +305,7 @@ TEST_CASE_FIXTURE(Workshop, "a folder or pattern of masks is a label a file, nam
   fails("extract seg --label 1 -o v.glb", 1, {"no label has the number 1"});
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "masks of other scans, and label maps, are ignored in a folder of masks") {
+TEST_CASE_FIXTURE(Workshop, "masks of other scans and label maps are refused among masks") {
   const auto nifti = [] { return volume_files::Nifti().dims({3, 4, 2, 3}); };
   write("seg/a.nii", nifti().file(second_layer));
   const auto refused = [&](const std::string& file, const std::string& part) {
@@ -392,17 +389,10 @@ TEST_CASE_FIXTURE(Workshop, "ids of 64 bits are distinguished, and no threshold 
   done("extract " + ids + "--iso 720575940621039104 -q -o all.stl");
 }
 
-TEST_CASE_FIXTURE(
-    LabelVolume,
-    "a file of a format that holds several has all meshes, with their names and colours") {
+TEST_CASE_FIXTURE(LabelVolume, "GLB and 3MF hold all meshes with names and colours") {
   write("table.txt", "1 a<&\xC3\xA4\xFF 1 2 3\n2 skin 4 5 6\n9 skin 7 8 9\n");
   const std::string options = " --label-table table.txt ";
   done(extract + "--labels all -o '{name}.ply'");
-  const auto meshes_in = [&](const std::string& file) {
-    const std::string bytes = read(file);
-    return contains(file, ".glb") ? command_tests::meshes_of_glb(bytes)
-                                  : command_tests::meshes_of_3mf(bytes);
-  };
   for (const std::string file : {"all.glb", "all.3mf"}) {
     INFO(file);
     const std::string told = done(extract + "--labels all" + options + "-o " + file);
@@ -412,7 +402,7 @@ TEST_CASE_FIXTURE(
     REQUIRE(all.size() == 3);
     const std::string labels[] = {"1", "2", "9"};
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto alone = mesh_of_ply(read(labels[i] + ".ply"));
+      const auto alone = mesh_in(labels[i] + ".ply");
       CHECK(all[i].corners == alone.corners);
       REQUIRE(all[i].vertices_mm.size() == alone.vertices_mm.size());
       for (std::size_t v = 0; v < alone.vertices_mm.size(); ++v)
@@ -421,8 +411,8 @@ TEST_CASE_FIXTURE(
     }
     CHECK(all[0].name == "a<&\xC3\xA4\xEF\xBF\xBD");
     CHECK(all[2].name == "skin");
-    CHECK(all[0].colour == discmc::command::Srgb{1, 2, 3});
-    CHECK(all[2].colour == discmc::command::Srgb{7, 8, 9});
+    CHECK(all[0].colour == Srgb{1, 2, 3});
+    CHECK(all[2].colour == Srgb{7, 8, 9});
 
     done(extract + "--label 2 --label 9 -o " + file);
     const auto two = meshes_in(file);
@@ -441,8 +431,7 @@ TEST_CASE_FIXTURE(
     fails(extract + "--label 2 --label 9 -o " + file, 2, {"--output", "{name}", ".glb or .3mf"});
 }
 
-TEST_CASE_FIXTURE(LabelVolume,
-                  "a label without a surface is named, and has no file unless that is allowed") {
+TEST_CASE_FIXTURE(LabelVolume, "a label without a surface is named, and has no file") {
   for (const std::string cleaning : {"--median 3", "--min-volume 4"}) {
     INFO(cleaning);
     const auto result = run(extract + "--labels all " + cleaning + " -q -o '{name}.stl'");
@@ -458,9 +447,7 @@ TEST_CASE_FIXTURE(LabelVolume, "a file of several meshes omits objects without t
   for (const std::string file : {"all.glb", "all.3mf"}) {
     INFO(file);
     done(extract + "--labels all --min-volume 1 --allow-empty -q -o " + file);
-    const std::string bytes = read(file);
-    const auto left = file == "all.glb" ? command_tests::meshes_of_glb(bytes)
-                                        : command_tests::meshes_of_3mf(bytes);
+    const auto left = meshes_in(file);
     REQUIRE(left.size() == 1);
     CHECK(left[0].name == "1");
   }
@@ -529,24 +516,21 @@ TEST_CASE_FIXTURE(LabelVolume, "labels that cannot be written are refused before
         {"half.raw", "slice 0", "whole numbers"});
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "labels without a colour get colours of their own, the same in every file") {
-  std::set<discmc::command::Srgb> colours;
-  for (int number = 1; number <= 21; ++number)
-    colours.insert(discmc::command::label_colour(number));
+TEST_CASE_FIXTURE(Workshop, "a label without a colour gets its own, the same in every file") {
+  std::set<Srgb> colours;
+  for (int number = 1; number <= 21; ++number) colours.insert(label_colour(number));
   CHECK(colours.size() == 21);
-  CHECK(discmc::command::label_colour(-20) == discmc::command::label_colour(1));
-  CHECK(discmc::command::label_colour(22) == discmc::command::label_colour(1));
+  CHECK(label_colour(-20) == label_colour(1));
+  CHECK(label_colour(22) == label_colour(1));
 
   write("v.raw", volume);
   done(extract + "--labels all -o all.glb");
   done(extract + "--label 2 --label 9 -o two.glb");
-  const auto all = command_tests::meshes_of_glb(read("all.glb"));
-  const auto two = command_tests::meshes_of_glb(read("two.glb"));
+  const auto all = meshes_in("all.glb"), two = meshes_in("two.glb");
   REQUIRE(all.size() == 3);
   REQUIRE(two.size() == 2);
   for (const std::size_t i : {0U, 1U, 2U})
-    CHECK(all[i].colour == discmc::command::label_colour(std::stod(all[i].name)));
+    CHECK(all[i].colour == label_colour(std::stod(all[i].name)));
   CHECK(two[0].colour == all[1].colour);
   CHECK(two[1].colour == all[2].colour);
 }

@@ -4,7 +4,6 @@
 #include <random>
 
 #include "hand_made.hpp"
-#include "oracle/region.hpp"
 #include "sample_reader.hpp"
 #include "test.hpp"
 

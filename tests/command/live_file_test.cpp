@@ -31,7 +31,6 @@ class Pipe {
   int descriptor_ = -1;
 };
 
-// Opens the pipe, and closes it without reading.
 class Gone : public std::streambuf {
  protected:
   int sync() override { return -1; }

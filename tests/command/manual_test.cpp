@@ -7,10 +7,6 @@ namespace {
 
 using namespace command_tests;
 
-bool has(const Workshop& workshop, const std::string& program) {
-  return workshop.shell("command -v " + program).code == 0;
-}
-
 // The names of options, from the lines of a help that begin with them.
 std::vector<std::string> options_of(const std::string& help) {
   std::vector<std::string> names;
@@ -24,7 +20,6 @@ std::vector<std::string> options_of(const std::string& help) {
   return names;
 }
 
-// The commands that the help lists.
 std::vector<std::string> commands_of(const std::string& help) {
   const std::string title = "\nCommands:\n";
   std::vector<std::string> names;
@@ -49,8 +44,7 @@ std::string section_of(const std::string& page, const std::string& command) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop,
-                  "the manual has every option of every help in the section of its command") {
+TEST_CASE_FIXTURE(Workshop, "the manual has every option of the help in its command's section") {
   const std::string page = done("manual");
   const std::string help = done("--help");
   const std::vector<std::string> commands = commands_of(help);
@@ -97,13 +91,13 @@ TEST_CASE("text of the command line is escaped for troff") {
 }
 
 TEST_CASE_FIXTURE(Workshop, "programs that show manuals accept the page without a warning") {
-  if (has(*this, "man")) {
+  if (has_program("man")) {
     const Result shown = shell("\"$discmc\" manual | man -l --warnings -");
     CHECK(shown.code == 0);
     CHECK(contains(shown.out, "discmc render [OPTIONS] -o FILE INPUT"));
     CHECK(shown.error.empty());
   }
-  if (has(*this, "mandoc")) {
+  if (has_program("mandoc")) {
     const Result checked = shell("\"$discmc\" manual | mandoc -T lint -W warning");
     std::istringstream lines(checked.out);
     for (std::string line; std::getline(lines, line);) {

@@ -1,7 +1,5 @@
 // discmc extract and render with a mask.
 #include "command.hpp"
-#include "oracle/stream.hpp"
-#include "oracle/volume.hpp"
 #include "sampled_field.hpp"
 
 namespace {
@@ -35,7 +33,6 @@ struct Masked : Workshop {
     write("m.nrrd", nrrd_of(mask));
   }
 
-  // The volume with another value in masked voxels.
   std::string with_value(unsigned char value) const {
     std::string result = samples;
     for (std::size_t i = 0; i < voxels; ++i)
@@ -46,8 +43,7 @@ struct Masked : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Masked,
-                  "--labels all with a mask writes the meshes of separate --label options") {
+TEST_CASE_FIXTURE(Masked, "--labels all with a mask writes the meshes of each --label") {
   for (char& sample : samples) sample = static_cast<char>(sample & 3);
   write("v.nrrd", nrrd_of(samples));
   done("extract v.nrrd --labels all --mask m.nrrd -o 'all-{name}.stl'");
@@ -119,15 +115,13 @@ TEST_CASE_FIXTURE(Workshop, "filters do not fill voxels outside the mask") {
   write("m.nrrd", nrrd_of(mask, "12 12 12"));
   const auto lines = [&](const std::string& options) {
     done("extract v.nrrd --iso 100 --median 3 -q -o v.jsonl " + options);
-    const std::string text = read("v.jsonl");
-    return std::count(text.begin(), text.end(), '\n');
+    return lines_in(read("v.jsonl"));
   };
-  constexpr int of_voxel = 8;
+  constexpr std::size_t of_voxel = 8;
   CHECK(lines("--mask m.nrrd") == lines("") + of_voxel);
 }
 
-TEST_CASE_FIXTURE(
-    Workshop, "a mask cuts an interpolated surface flat at its border, and changes nothing else") {
+TEST_CASE_FIXTURE(Workshop, "a mask cuts an interpolated surface flat, and changes nothing else") {
   std::string samples, mask;
   for (const int sample : sampled_field::ball(14, 5.3).samples)
     samples += static_cast<char>(sample);
@@ -135,7 +129,7 @@ TEST_CASE_FIXTURE(
   write("v.nrrd", nrrd_of(samples, "14 14 14"));
   write("m.nrrd", nrrd_of(mask, "14 14 14"));
   done("extract v.nrrd --mask m.nrrd --iso 50 --surface interpolated -q -o v.obj");
-  const FileMesh mesh = mesh_of_obj(read("v.obj"));
+  const FileMesh mesh = mesh_in("v.obj");
   CHECK(check_mesh(mesh).is_closed());
   constexpr double cap = 4.3;  // the top of a ball of radius 5.3
   CHECK(volume_of(mesh) == doctest::Approx(3.14159 * cap * cap * (5.3 - cap / 3)).epsilon(0.05));
@@ -179,13 +173,12 @@ constexpr Vector origin = {10, -20, 30};
 
 std::string nifti_at(const std::array<Vector, 3>& to_next, const Vector& first,
                      const std::array<int, 3>& extents, const std::string& samples) {
-  volume_files::Nifti nifti;
-  nifti.dims({3, extents[0], extents[1], extents[2]}).integer(254, 2, 1);
+  std::vector<float> rows;
   for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t column = 0; column < 4; ++column)
-      nifti.real(280 + 16 * row + 4 * column,
-                 static_cast<float>(column < 3 ? to_next[column][row] : first[row]));
-  return nifti.file(samples);
+    for (const double number : {to_next[0][row], to_next[1][row], to_next[2][row], first[row]})
+      rows.push_back(static_cast<float>(number));
+  volume_files::Nifti nifti;
+  return nifti.dims({3, extents[0], extents[1], extents[2]}).sform(rows).file(samples);
 }
 
 // The same mask, with axis i along axis order[i] of the volume, possibly reversed.

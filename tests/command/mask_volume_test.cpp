@@ -12,8 +12,8 @@ using discmc::command::open_mask;
 
 VolumeInfo volume_of(const VolumeOptions& options = {}, const std::string& lines = "") {
   const Folder folder;
-  const auto file = folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + stored(SampleType::u8));
-  return open_volume(file, options)->info();
+  const auto file = folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8);
+  return read_info(file, options);
 }
 
 std::vector<double> mask_of(const std::string& nifti, const VolumeOptions& options = {}) {
@@ -32,7 +32,7 @@ double offset(const std::string& lines_of_mask, const std::string& lines_of_volu
 TEST_CASE("a mask selects values that are numbers other than 0") {
   std::vector<double> all_but_first(60, 1);
   all_but_first[0] = 0;
-  CHECK(mask_of(Nifti().file(stored(SampleType::u8))) == all_but_first);
+  CHECK(mask_of(Nifti().file(u8)) == all_but_first);
   // Sample 30 of f32 is 0. Here two more are NaN.
   std::string samples = stored(SampleType::f32);
   samples.replace(4, 4, "\xff\xff\xff\x7f");
@@ -43,14 +43,13 @@ TEST_CASE("a mask selects values that are numbers other than 0") {
   // The scaled value is decisive: it is 0 at sample 8.
   std::vector<double> all_but_third(60, 1);
   all_but_third[2] = 0;
-  CHECK(mask_of(Nifti().scale(0.5F, -4).file(stored(SampleType::u8))) == all_but_third);
+  CHECK(mask_of(Nifti().scale(0.5F, -4).file(u8)) == all_but_third);
 }
 
 TEST_CASE_FIXTURE(Folder, "a mask of several volumes is refused for any frame of the volume") {
   const auto mask =
-      write("m.nii",
-            Nifti().dims({4, 5, 3, 4, 2}).file(std::string(2 * stored(SampleType::u8).size(), 1)));
-  CHECK_THROWS_WITH(open_mask(mask, with(&VolumeOptions::frame, 1), volume_of()),
+      write("m.nii", Nifti().dims({4, 5, 3, 4, 2}).file(std::string(2 * u8.size(), 1)));
+  CHECK_THROWS_WITH(open_mask(mask, of_frame(1), volume_of()),
                     doctest::Contains("the mask holds 2 volumes; store the mask in a file"));
 }
 
@@ -70,7 +69,7 @@ TEST_CASE("a mask is cropped like its volume, and shrinks by the majority of a b
 }
 
 TEST_CASE_FIXTURE(Folder, "a mask must have the extents of the whole volume, even with --crop") {
-  const auto file = write("m.nrrd", nrrd(nrrd_u8, "5 4 3") + "\n" + stored(SampleType::u8));
+  const auto file = write("m.nrrd", nrrd(nrrd_u8, "5 4 3") + "\n" + u8);
   VolumeOptions options;
   for (const bool is_part : {false, true}) {
     if (is_part) options.crop = {{{1, 2}, {1, 2}, {1, 2}}};
@@ -103,7 +102,7 @@ TEST_CASE("a displaced mask is detected if both files have a placement") {
 }
 
 TEST_CASE_FIXTURE(Folder, "a given spacing applies to the mask, too") {
-  const auto file = write("m.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  const auto file = write("m.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   VolumeOptions options;
   options.spacing_mm = {0.5, 2, 3};
   const VolumeInfo volume = volume_of(options);
@@ -117,11 +116,11 @@ TEST_CASE_FIXTURE(Folder, "named axes apply to a mask that has no axes of its ow
   std::string samples(60, '\1');
   samples[59] = samples[1] = '\0';  // (4, 2, 3) and (0, 0, 1)
   const auto file = write("m.npy", header + samples);
-  const VolumeOptions options = with(&VolumeOptions::axes, "cxyzt");
+  const VolumeOptions options = with_axes("cxyzt");
   const auto mask = read_all(*open_mask(file, options, volume_of()));
   std::vector<double> expected(60, 1);
   expected[59] = expected[15] = 0;
   CHECK(mask == expected);
-  const auto nifti = write("m.nii", Nifti().file(stored(SampleType::u8)));
+  const auto nifti = write("m.nii", Nifti().file(u8));
   CHECK(open_mask(nifti, options, volume_of())->info().dims == volume_of().dims);
 }

@@ -1,8 +1,6 @@
 // The measures of surfaces, computed and as files: extract -o FILE.csv.
 #include "meshes/measures.hpp"
 
-#include <sstream>
-
 #include "command.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "sample_reader.hpp"
@@ -11,22 +9,16 @@
 namespace {
 
 using namespace discmc::command;
-using discmc::Vertex;
+using namespace command_tests;
 using discmc::reference::BitVolume;
 using sample_reader::merged_mesh;
+using sample_reader::put_box;
 
-void fill(BitVolume& volume, const Vertex& first, const Vertex& last, std::uint8_t on) {
-  for (int z = first.z; z <= last.z; ++z)
-    for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x) volume.on[volume.index(x, y, z)] = on;
-}
-
-// A block with a cavity, and a smaller block beside it.
 BitVolume two_blocks() {
   BitVolume volume({30, 20, 20});
-  fill(volume, {2, 3, 4}, {13, 14, 15}, 1);
-  fill(volume, {6, 7, 8}, {9, 9, 9}, 0);
-  fill(volume, {18, 5, 5}, {22, 9, 9}, 1);
+  put_box(volume, {2, 3, 4}, {13, 14, 15}, 1);
+  put_box(volume, {6, 7, 8}, {9, 9, 9}, 0);
+  put_box(volume, {18, 5, 5}, {22, 9, 9}, 1);
   return volume;
 }
 
@@ -41,19 +33,15 @@ TEST_CASE("bodies and cavities are counted, and the volume is that of the compon
   CHECK(measures.enclosed->bodies == 2);
   CHECK(measures.enclosed->cavities == 1);
 
-  sample_reader::SampleReader reader(two_blocks(), spacing);
-  SurfaceBuilder builder;
-  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed},
-          discmc::make_sink(builder));
-  builder.surface().spacing_mm = spacing;
   double volume = 0;
-  for (const Component& each : components(builder.surface())) volume += each.volume_mm3;
+  for (const Component& each : components(sample_reader::surface_of(two_blocks(), spacing)))
+    volume += each.volume_mm3;
   CHECK(measures.enclosed->volume_mm3 == doctest::Approx(volume).epsilon(1e-12));
 }
 
 TEST_CASE("a single voxel is an octahedron, whose measures are known") {
   BitVolume one({5, 5, 5});
-  fill(one, {2, 1, 3}, {2, 1, 3}, 1);
+  put_box(one, {2, 1, 3}, {2, 1, 3}, 1);
   const Measures measures = measures_of(merged_mesh(one, Faces::triangles));
   REQUIRE(measures.enclosed);
   CHECK(measures.enclosed->volume_mm3 == doctest::Approx(1.0 / 6));
@@ -72,37 +60,34 @@ TEST_CASE("a mesh that is not closed encloses nothing, and an empty one has no e
   CHECK(!measures_of(mesh).enclosed);
   std::ostringstream csv, json, empty;
   write_csv({&mesh}, csv);
-  CHECK(csv.str().find("\n\"open, \"\"cut\"\"\",,") != std::string::npos);
+  CHECK(contains(csv.str(), "\n\"open, \"\"cut\"\"\",,"));
   write_json({&mesh}, json);
-  CHECK(json.str().find(R"("name": "open, \"cut\"", "volume_mm3": null, "area_mm2": )") !=
-        std::string::npos);
+  CHECK(contains(json.str(), R"("name": "open, \"cut\"", "volume_mm3": null, "area_mm2": )"));
   const FileMesh none;
   write_json({&none}, empty);
-  CHECK(empty.str().find(R"("volume_mm3": 0, "area_mm2": 0, "bodies": 0, "cavities": 0, )"
-                         R"("min_x_mm": null)") != std::string::npos);
+  CHECK(contains(empty.str(), R"("volume_mm3": 0, "area_mm2": 0, "bodies": 0, "cavities": 0, )"
+                              R"("min_x_mm": null)"));
 }
 
-TEST_CASE("extract and decode write measures in place of meshes, a line per label") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "extract and decode write measures, a line per label") {
   std::string bytes;
   BitVolume volume = two_blocks();
-  fill(volume, {18, 5, 5}, {22, 9, 9}, 2);
+  put_box(volume, {18, 5, 5}, {22, 9, 9}, 2);
   for (const std::uint8_t label : volume.on) bytes += static_cast<char>(label);
-  workshop.write("v.raw", bytes);
+  write("v.raw", bytes);
   const std::string labels = "v.raw --dims 30,20,20 --type u8 -q --labels all ";
-  workshop.done("extract " + labels + "-o v.csv");
-  const std::string table = workshop.read("v.csv");
+  done("extract " + labels + "-o v.csv");
+  const std::string table = read("v.csv");
   CHECK(table.rfind("name,volume_mm3,area_mm2,bodies,cavities,min_x_mm,", 0) == 0);
-  CHECK(command_tests::contains(table, "\n1,"));
-  CHECK(command_tests::contains(table, "\n2,"));
-  workshop.done("extract " + labels + "--largest 1 -o v.json");
-  CHECK(command_tests::contains(workshop.read("v.json"), "\"bodies\": 1, \"cavities\": 0"));
-  workshop.done("extract v.raw --dims 30,20,20 --type u8 -q --iso 1 -o v.dmc");
-  workshop.done("decode v.dmc -o decoded.csv");
-  CHECK(command_tests::contains(workshop.read("decoded.csv"), ",2,1,"));
+  CHECK(contains(table, "\n1,"));
+  CHECK(contains(table, "\n2,"));
+  done("extract " + labels + "--largest 1 -o v.json");
+  CHECK(contains(read("v.json"), "\"bodies\": 1, \"cavities\": 0"));
+  done("extract v.raw --dims 30,20,20 --type u8 -q --iso 1 -o v.dmc");
+  done("decode v.dmc -o decoded.csv");
+  CHECK(contains(read("decoded.csv"), ",2,1,"));
 }
 
-// The last column of the row with this name.
 static std::string voxels_of(const std::string& rows, const std::string& name) {
   const std::size_t begin = rows.find("\n" + name + ",");
   if (begin == std::string::npos) return {};
@@ -110,8 +95,7 @@ static std::string voxels_of(const std::string& rows, const std::string& name) {
   return row.substr(row.rfind(',') + 1);
 }
 
-TEST_CASE("--bodies writes a row for each body with its cavities and voxels, the largest first") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "--bodies writes a row per body with its cavities, largest first") {
   std::string bytes(20 * 12 * 12, '\0');
   const auto put = [&](int first, int end, char value) {
     for (int z = first; z < end; ++z)
@@ -123,20 +107,18 @@ TEST_CASE("--bodies writes a row for each body with its cavities and voxels, the
   put(3, 9, 0);
   put(5, 7, 1);
   bytes[static_cast<std::size_t>((4 * 12 + 4) * 20 + 16)] = 1;
-  workshop.write("v.raw", bytes);
+  write("v.raw", bytes);
   const std::string extract = "extract v.raw --dims 20,12,12 --spacing 2,1,1 --type u8 --iso 1 -q ";
-  workshop.done(extract + "-o all.csv");
-  CHECK(command_tests::contains(workshop.read("all.csv"), ",793\n"));
-  workshop.done(extract + "--bodies -o bodies.csv");
-  const std::string rows = workshop.read("bodies.csv");
-  CHECK(command_tests::contains(rows, ",centre_z_mm,voxels\n"));
+  done(extract + "-o all.csv");
+  CHECK(contains(read("all.csv"), ",793\n"));
+  done(extract + "--bodies -o bodies.csv");
+  const std::string rows = read("bodies.csv");
+  CHECK(contains(rows, ",centre_z_mm,voxels\n"));
   CHECK(voxels_of(rows, "1 1") == "784");
   CHECK(voxels_of(rows, "1 2") == "8");
   CHECK(voxels_of(rows, "1 3") == "1");
-  workshop.done(extract + "--bodies --largest 1 -o one.json");
-  CHECK(command_tests::contains(workshop.read("one.json"), "\"voxels\": 784"));
-  CHECK(command_tests::contains(workshop.run(extract + "--bodies -o v.stl").error,
-                                "only in .csv and .json"));
-  CHECK(command_tests::contains(workshop.run(extract + "--bodies --border open -o v.csv").error,
-                                "leave out --bodies"));
+  done(extract + "--bodies --largest 1 -o one.json");
+  CHECK(contains(read("one.json"), "\"voxels\": 784"));
+  CHECK(contains(run(extract + "--bodies -o v.stl").error, "only in .csv and .json"));
+  CHECK(contains(run(extract + "--bodies --border open -o v.csv").error, "leave out --bodies"));
 }

@@ -1,19 +1,17 @@
 #include "mesh_files/mesh_files.hpp"
 
-#include <sstream>
 #include <stdexcept>
 #include <streambuf>
 
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "mesh_files/file_mesh.hpp"
-#include "mesh_formats.hpp"
 #include "meshes/placing.hpp"
 #include "text/base64.hpp"
 #include "text/name_text.hpp"
 
 namespace {
 
+using namespace command_tests;
 using namespace discmc::command;
 using namespace hand_made;
 
@@ -44,32 +42,13 @@ class Stuck : public std::streambuf {
 const Format mesh_formats[] = {Format::stl, Format::ply,      Format::obj,
                                Format::glb, Format::three_mf, Format::vtp};
 
-class Bytes {
- public:
-  Bytes(const std::string& bytes, std::size_t begin) : bytes_(bytes), next_(begin) {}
+Point rounded(const Point& point) {
+  return {static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2])};
+}
 
-  std::uint32_t integer(int count) {
-    std::uint32_t value = 0;
-    for (int i = 0; i < count; ++i)
-      value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes_.at(next_++)))
-               << (8 * i);
-    return value;
-  }
-  float real() {
-    const std::uint32_t bits = integer(4);
-    float value;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-  }
-  bool at_end() const { return next_ == bytes_.size(); }
-
- private:
-  const std::string& bytes_;
-  std::size_t next_;
-};
-
-void check_point(Bytes& bytes, const Point& expected) {
-  for (const double coordinate : expected) CHECK(bytes.real() == static_cast<float>(coordinate));
+void check_same_faces(const FileMesh& read, const FileMesh& mesh) {
+  CHECK(read.corners == mesh.corners);
+  CHECK(read.face_begin == mesh.face_begin);
 }
 
 void check_ply(const FileMesh& mesh) {
@@ -83,48 +62,24 @@ void check_ply(const FileMesh& mesh) {
       "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
       "\nproperty list uchar int vertex_indices\nend_header\n";
   REQUIRE(file.substr(0, header.size()) == header);
-  Bytes bytes(file, header.size());
-  for (const Point& vertex : mesh.vertices_mm) check_point(bytes, vertex);
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    REQUIRE(bytes.integer(1) == mesh.face_size(face));
-    for (std::size_t i = 0; i < mesh.face_size(face); ++i)
-      CHECK(bytes.integer(4) == mesh.face(face)[i]);
-  }
-  CHECK(bytes.at_end());
+  const FileMesh read = mesh_of_ply(file);
+  REQUIRE(read.vertices_mm.size() == mesh.vertices_mm.size());
+  for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i)
+    CHECK(read.vertices_mm[i] == rounded(mesh.vertices_mm[i]));
+  check_same_faces(read, mesh);
 }
 
 }  // namespace
 
 TEST_CASE("an OBJ file reads back exactly") {
-  const FileMesh mesh = build_mesh(leaning_wall());
-  FileMesh scaled = mesh;
+  FileMesh scaled = build_mesh(leaning_wall());
   for (Point& vertex : scaled.vertices_mm) vertex[0] = vertex[0] / 3 - 1;
   std::ostringstream out;
   write_obj(scaled, out);
 
-  std::vector<Point> vertices;
-  std::vector<std::uint32_t> corners;
-  std::vector<std::size_t> face_begin{0};
-  std::istringstream in(out.str());
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    if (kind == "v") {
-      Point point{};
-      words >> point[0] >> point[1] >> point[2];
-      CHECK_FALSE(words.fail());
-      vertices.push_back(point);
-    } else if (kind == "f") {
-      for (std::uint32_t number; words >> number;) corners.push_back(number - 1);
-      face_begin.push_back(corners.size());
-    } else {
-      CHECK(kind == "#");
-    }
-  }
-  CHECK(vertices == scaled.vertices_mm);
-  CHECK(corners == scaled.corners);
-  CHECK(face_begin == scaled.face_begin);
+  const FileMesh read = mesh_of_obj(out.str());
+  CHECK(read.vertices_mm == scaled.vertices_mm);
+  check_same_faces(read, scaled);
 }
 
 TEST_CASE("a PLY file reads back, its corners counted by a byte") {
@@ -182,28 +137,20 @@ TEST_CASE("an STL file reads back, with unit normals that look outside") {
     const std::string file = out.str();
     REQUIRE(file.size() == 80 + 4 + 50 * mesh.face_count());
     CHECK(file.substr(0, 5) != "solid");
-    Bytes bytes(file, 80);
+    Taker bytes(file, 80);
     CHECK(bytes.integer(4) == mesh.face_count());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-      float normal[3], corner[3][3];
-      for (float& coordinate : normal) coordinate = bytes.real();
-      for (auto& point : corner)
-        for (float& coordinate : point) coordinate = bytes.real();
+      const Point normal = bytes.point();
+      std::array<Point, 3> corner;
+      for (Point& point : corner) point = bytes.point();
       CHECK(bytes.integer(2) == 0);
       // The octahedron is around the origin, so the right-hand rule can be tested.
-      float outside = 0, product = 0;
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const float area = (corner[1][j] - corner[0][j]) * (corner[2][k] - corner[0][k]) -
-                           (corner[1][k] - corner[0][k]) * (corner[2][j] - corner[0][j]);
-        product += area * normal[i];
-        outside += corner[0][i] * normal[i];
-      }
-      CHECK(product > 0);
-      CHECK(outside == doctest::Approx(1 / std::sqrt(1 / 0.25 + 1 / 1.0 + 1 / 2.25)));
+      const Point area = cross(difference(corner[1], corner[0]), difference(corner[2], corner[0]));
+      CHECK(dot(area, normal) > 0);
+      CHECK(dot(corner[0], normal) ==
+            doctest::Approx(1 / std::sqrt(1 / 0.25 + 1 / 1.0 + 1 / 2.25)));
       for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          CHECK(corner[i][axis] == static_cast<float>(mesh.vertices_mm[mesh.face(face)[i]][axis]));
+        CHECK(corner[i] == rounded(mesh.vertices_mm[mesh.face(face)[i]]));
     }
     CHECK(bytes.at_end());
   }
@@ -217,7 +164,7 @@ TEST_CASE("every format but STL keeps vertices far from the origin separate and 
     INFO(name);
     std::ostringstream out;
     write_mesh(mesh, format_of(name), out);
-    const FileMesh read = command_tests::mesh_of(name, out.str());
+    const FileMesh read = mesh_of(name, out.str());
     CHECK(read.corners == mesh.corners);
     if (name != "v.glb") CHECK(read.vertices_mm == mesh.vertices_mm);
     REQUIRE(read.vertices_mm.size() == mesh.vertices_mm.size());
@@ -227,7 +174,7 @@ TEST_CASE("every format but STL keeps vertices far from the origin separate and 
   }
   std::ostringstream out;
   write_stl(mesh, out);
-  const FileMesh read = command_tests::mesh_of("v.stl", out.str());
+  const FileMesh read = mesh_of("v.stl", out.str());
   CHECK(read.vertices_mm.size() == count_float_places(mesh));
   CHECK(read.vertices_mm.size() < mesh.vertices_mm.size());
 }
@@ -237,7 +184,7 @@ TEST_CASE("meshes of one GLB file that are far away are seen from one origin") {
   for (Point& vertex : far.vertices_mm) vertex[1] += 1e8;
   std::ostringstream out;
   write_glb({&near, &far}, out);
-  const std::vector<FileMesh> read = command_tests::meshes_of_glb(out.str());
+  const std::vector<FileMesh> read = meshes_of_glb(out.str());
   REQUIRE(read.size() == 2);
   const Point& last = read[1].vertices_mm.back();
   CHECK(last[1] == doctest::Approx(far.vertices_mm.back()[1]).epsilon(1e-12));
@@ -279,7 +226,7 @@ TEST_CASE("a vertex without a normal has a default one in GLB") {
   mesh.normals[3] = {};
   std::ostringstream out;
   write_glb({&mesh}, out);
-  const FileMesh read = command_tests::mesh_of_glb(out.str());
+  const FileMesh read = mesh_of_glb(out.str());
   REQUIRE(read.normals.size() == mesh.normals.size());
   for (std::size_t i = 0; i < read.normals.size(); ++i)
     CHECK(read.normals[i][i == 3 ? 2 : 0] == doctest::Approx(1));
@@ -293,7 +240,7 @@ TEST_CASE("the colour of a mesh is kept by the formats that have one") {
       mesh.colour = colour;
       std::ostringstream out;
       write_mesh(mesh, format_of(name), out);
-      const FileMesh read = command_tests::mesh_of(name, out.str());
+      const FileMesh read = mesh_of(name, out.str());
       CHECK(read.colour == colour);
       CHECK(read.face_count() == mesh.face_count());
     }
@@ -316,9 +263,8 @@ TEST_CASE("a mesh is written in the given size and unit, and names them") {
       resize(resized, size);
       std::ostringstream out;
       write_mesh(resized, format_of(file), out);
-      const FileMesh read = command_tests::mesh_of(file, out.str());
-      CHECK(command_tests::volume_of(read) ==
-            doctest::Approx(factor * factor * factor * command_tests::volume_of(mesh)));
+      const FileMesh read = mesh_of(file, out.str());
+      CHECK(volume_of(read) == doctest::Approx(factor * factor * factor * volume_of(mesh)));
       if (file == "v.3mf")
         CHECK(read.unit == size.unit);
       else
@@ -368,8 +314,6 @@ TEST_CASE("every writer reports a stream that fails, early or late") {
 }
 
 TEST_CASE("names of any bytes are valid text in JSON and XML") {
-  using discmc::command::json_string;
-  using discmc::command::xml_attribute;
   CHECK(json_string("a\"b\\c\n\x7F") == "\"a\\\"b\\\\c\\u000a\\u007f\"");
   CHECK(xml_attribute("<a & \"b\">\t") == "&lt;a &amp; &quot;b&quot;&gt;\xEF\xBF\xBD");
   const std::string whole = "\xC3\xA4 \xE2\x82\xAC \xF0\x9D\x84\x9E";

@@ -1,8 +1,6 @@
 // Volumes written as NIfTI-2, and read back.
 #include "volumes/formats/nifti/writer.hpp"
 
-#include <fstream>
-
 #include "volume_files.hpp"
 
 namespace {

@@ -73,7 +73,6 @@ struct Ball : Workshop {
     write("v.nrrd", header("(0.5,0,0) (0,-1,0) (0,0,2)") + ball_samples);
     done("extract v.nrrd --iso 1000 -o v.dmc");
   }
-  FileMesh mesh_in(const std::string& name) const { return mesh_of(name, read(name)); }
 };
 
 }  // namespace
@@ -93,8 +92,7 @@ TEST_CASE_FIXTURE(Ball, "decode and extract write the same normals") {
       }
 }
 
-TEST_CASE_FIXTURE(Ball,
-                  "every format holds the same normals, and without a source there are none") {
+TEST_CASE_FIXTURE(Ball, "every format holds the same normals, and none without a source") {
   for (const std::string& source : sources) {
     for (const std::string& format : formats)
       done("extract v.nrrd --iso 1000 -q --normals " + source + " -o v." + format);
@@ -180,8 +178,7 @@ TEST_CASE_FIXTURE(Ball, "normals in a stream equal those of its volume, in two b
   }
 }
 
-TEST_CASE_FIXTURE(
-    Ball, "extract writes the normals that a device sends, and decode keeps them in a stream") {
+TEST_CASE_FIXTURE(Ball, "extract writes a device's normals, and decode keeps them") {
   done("extract v.nrrd --iso 1000 --normals gradient -o told.dmc");
   CHECK(read("told.dmc") == stream_with_normals());
   done("decode told.dmc -o again.dmc");

@@ -4,16 +4,15 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contents;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 const std::string several = files / "npz_arrays/several.npz";
 
 TEST_CASE("the only array of three axes is the volume, and of several one is chosen by its name") {
   check_volume(files / "npz/i16-little-deflate.npz", SampleType::i16, "NumPy, npz");
-  check_volume((files / "npz/u8-little.npz").string() + ":/volume", SampleType::u8, "NumPy, npz");
+  check_volume((files / "npz/u8-little.npz").string() + ":/volume", "NumPy, npz");
   check_refused(several, "holds 2 arrays: /scan (5 x 3 x 4), /truth (5 x 3 x 4)");
-  check_volume(several + ":/scan", SampleType::u8, "NumPy, npz");
+  check_volume(several + ":/scan", "NumPy, npz");
   check_refused(
       several + ":/none",
       "no array '/none' of numbers with two or more dimensions in the file; choose one of /scan");

@@ -26,10 +26,6 @@ int sample_of(int x, int y, int z) {
   return 1000 + 100 * z + 10 * y + x;
 }
 
-VolumeOptions with_axes(const std::string& axes) {
-  return with(&VolumeOptions::axes, axes);
-}
-
 void check_places(const fs::path& file, const VolumeOptions& options) {
   const auto reader = open_volume(file, options);
   CHECK(reader->info().dims == Dims{5, 3, 4});
@@ -76,8 +72,7 @@ std::string array_with(const std::string& letters) {
   });
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "the axes of an array are those that are named, in any order and in either storage") {
+TEST_CASE_FIXTURE(Folder, "named axes are read in any order and in either storage") {
   for (const std::string letters : {"zyx", "zxy", "yzx", "yxz", "xzy", "xyz", "tzyx", "xyzt",
                                     "zyxc", "czyx", "tczyx", "ztyxc", "cxyzt", "xytzc"}) {
     INFO(letters);
@@ -97,12 +92,11 @@ TEST_CASE_FIXTURE(
 TEST_CASE_FIXTURE(Folder, "without names the axis that is stored side by side is x, with a note") {
   const auto file = write("c.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
   check_places(file, {});
-  CHECK(noted(open_volume(file)->info(),
-              "read as array[z][y][x]; to read others, give --axes, such as xyz"));
-  CHECK_FALSE(noted(open_volume(file, with_axes("zyx"))->info(), "read as"));
+  CHECK(noted(read_info(file), "read as array[z][y][x]; to read others, give --axes, such as xyz"));
+  CHECK_FALSE(noted(read_info(file, with_axes("zyx")), "read as"));
   const auto fortran = write("f.npy", npy("<u2", shape_of("xyz"), array_with("zyx"), true));
   check_places(fortran, {});
-  CHECK(noted(open_volume(fortran)->info(),
+  CHECK(noted(read_info(fortran),
               "read as array[x][y][z]; to read others, give --axes, such as zyx"));
 }
 
@@ -128,15 +122,13 @@ TEST_CASE_FIXTURE(Folder, "axes of size 1 are dropped at any position, with a no
     INFO(shape);
     const auto file = write("a.npy", npy("<u2", shape, array_with("zyx")));
     check_places(file, {});
-    CHECK(noted(open_volume(file)->info(), "axes of size 1 are dropped from "));
+    CHECK(noted(read_info(file), "axes of size 1 are dropped from "));
   }
   const auto image = write("image.npy", npy("<u2", "1, 1, 12, 5", array_with("zyx")));
-  CHECK(open_volume(image)->info().dims == Dims{5, 12, 1});
+  CHECK(read_info(image).dims == Dims{5, 12, 1});
 }
 
-TEST_CASE_FIXTURE(
-    Folder,
-    "an array with more axes needs a frame or named axes, and unsuitable names are refused") {
+TEST_CASE_FIXTURE(Folder, "an array with more axes needs a frame or suitable names") {
   const auto file = write("a.npy", npy("<u2", shape_of("zyxc"), array_with("zyxc")));
   check_refused(
       file,
@@ -156,7 +148,7 @@ TEST_CASE_FIXTURE(
 }
 
 TEST_CASE_FIXTURE(Folder, "--axes is refused for a format with fixed axes") {
-  const auto file = write("a.nii", Nifti().file(stored(SampleType::u8)));
+  const auto file = write("a.nii", Nifti().file(u8));
   check_refused(file, with_axes("zyx"), "--axes applies to arrays and TIFF, and this is NIfTI-1");
 }
 
@@ -189,7 +181,7 @@ TEST_CASE_FIXTURE(Folder, "floating point of 16 bits is read as that of 32") {
     CHECK(read_all(*reader) == expected);
   }
   const std::string special = std::string("\0\x7c\0\xfc\x01\x7e\0\0", 8);
-  const auto read = read_all(*open_volume(write("special.npy", npy("<f2", "1, 2, 2", special))));
+  const auto read = read_samples(write("special.npy", npy("<f2", "1, 2, 2", special)));
   CHECK(read[0] == INFINITY);
   CHECK(read[1] == -INFINITY);
   CHECK(std::isnan(read[2]));

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <sstream>
 
 #include "command.hpp"
 
@@ -38,13 +37,11 @@ class SyncsWatched : public Syncs {
   ~SyncsWatched() { syncs = nullptr; }
 };
 
-// The only file in a folder.
 std::filesystem::path only_file(const std::filesystem::path& folder) {
   REQUIRE(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
   return std::filesystem::directory_iterator(folder)->path();
 }
 
-// The error for a file that cannot be written.
 template <class Write>
 std::string complaint(Write write) {
   try {
@@ -113,8 +110,7 @@ TEST_CASE_FIXTURE(Folder, "an uncommitted file leaves no trace and keeps the pre
   CHECK(contents(target) == "after");
 }
 
-TEST_CASE_FIXTURE(Target,
-                  "two outputs of the same name write separate files with unpredictable names") {
+TEST_CASE_FIXTURE(Target, "outputs of one name write separate files with unpredictable names") {
   OutputFile first(target);
   const auto temporary = only_file(path());
   OutputFile second(target);
@@ -148,8 +144,7 @@ TEST_CASE_FIXTURE(Target, "the file is synced before its renaming, and the folde
   CHECK(watched.done == std::vector<std::pair<bool, bool>>{{false, false}, {true, true}});
 }
 
-TEST_CASE_FIXTURE(Target,
-                  "a failing disk is reported, and a file system without sync is accepted") {
+TEST_CASE_FIXTURE(Target, "a failing disk is reported; a file system without sync is accepted") {
   SyncsWatched watched(target);
   const auto save = [&] {
     OutputFile file(target);

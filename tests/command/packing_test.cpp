@@ -7,9 +7,7 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contents;
 
-// Packs bytes with one of libarchive's filters.
 std::string packed(const std::string& bytes, int (*add_filter)(archive*)) {
   std::string out(bytes.size() + (1U << 20), '\0');
   std::size_t count = 0;
@@ -41,20 +39,18 @@ constexpr Way ways[] = {{"gzip", ".gz", archive_write_add_filter_gzip},
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 
-TEST_CASE_FIXTURE(Folder,
-                  "a volume is unpacked by the ending of its name, and by its first bytes") {
-  const std::string nii = Nifti().file(stored(SampleType::u8));
+TEST_CASE_FIXTURE(Folder, "a volume is unpacked by its name's ending and by its first bytes") {
+  const std::string nii = Nifti().file(u8);
   for (const Way& way : ways) {
     INFO(way.name);
     const std::string bytes = packed(nii, way.add_filter);
     const std::string format = std::string("NIfTI-1, ") + way.name;
-    check_volume(write(std::string("a.nii") + way.ending, bytes), SampleType::u8, format);
-    check_volume(write("no-ending", bytes), SampleType::u8, format);
+    check_volume(write(std::string("a.nii") + way.ending, bytes), format);
+    check_volume(write("no-ending", bytes), format);
   }
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a compressed file for a library that reads only files is unpacked temporarily") {
+TEST_CASE_FIXTURE(Folder, "for a library that reads only files, a temporary copy is unpacked") {
   const std::pair<const char*, const char*> cases[] = {{"hdf5/u8-little.h5", "HDF5, /volume, raw"},
                                                        {"npz/u8-little.npz", "NumPy, npz"}};
   for (const auto& each : cases)
@@ -63,13 +59,13 @@ TEST_CASE_FIXTURE(Folder,
       INFO(each.first, " ", way.name);
       const std::string bytes = packed(contents(files / name), way.add_filter);
       const std::string called = fs::path(name).filename().string() + way.ending;
-      check_volume(write(called, bytes), SampleType::u8, std::string(format) + ", " + way.name);
+      check_volume(write(called, bytes), std::string(format) + ", " + way.name);
     }
   for (const std::string name : {"dicom/u16.dcm", "pictures/u16.tif", "pictures/bits.png"}) {
     INFO(name);
     const std::string bytes = packed(contents(files / name), archive_write_add_filter_zstd);
     const fs::path file = write(fs::path(name).filename().string() + ".zst", bytes);
-    CHECK(read_all(*open_volume(file)) == read_all(*open_volume(files / name)));
+    CHECK(read_samples(file) == read_samples(files / name));
   }
 }
 
@@ -81,20 +77,20 @@ TEST_CASE_FIXTURE(Folder, "headerless samples are unpacked by the ending of thei
     check_volume(write(std::string("a.raw") + way.ending, bytes), SampleType::i16,
                  std::string("raw, ") + way.name, options);
   }
-  const auto file = write("a.raw", packed(stored(SampleType::u8), ways[3].add_filter));
+  const auto file = write("a.raw", packed(u8, ways[3].add_filter));
   check_refused(file, options, "begins like zstd, not like samples");
 }
 
 TEST_CASE_FIXTURE(Folder, "both files of a pair may be packed, each in its way") {
-  const std::string whole = Nifti().pair().file(stored(SampleType::u8));
+  const std::string whole = Nifti().pair().file(u8);
   write("a.hdr.xz", packed(whole.substr(0, 348), archive_write_add_filter_xz));
   write("a.img.bz2", packed(whole.substr(352), archive_write_add_filter_bzip2));
-  check_volume(path() / "a.hdr.xz", SampleType::u8, "NIfTI-1 pair, bzip2");
-  check_volume(path() / "a.img.bz2", SampleType::u8, "NIfTI-1 pair, bzip2");
+  check_volume(path() / "a.hdr.xz", "NIfTI-1 pair, bzip2");
+  check_volume(path() / "a.img.bz2", "NIfTI-1 pair, bzip2");
 }
 
 TEST_CASE_FIXTURE(Folder, "compressed files that are truncated or damaged are refused") {
-  const std::string nii = Nifti().file(stored(SampleType::u8));
+  const std::string nii = Nifti().file(u8);
   for (const Way& way : ways) {
     const std::string bytes = packed(nii, way.add_filter);
     for (std::size_t size = 0; size + 1 < bytes.size(); size += 7) {
@@ -108,12 +104,12 @@ TEST_CASE_FIXTURE(Folder, "compressed files that are truncated or damaged are re
 }
 
 TEST_CASE_FIXTURE(Folder, "concatenated packed streams are read as one") {
-  const std::string nii = Nifti().file(stored(SampleType::u8));
+  const std::string nii = Nifti().file(u8);
   for (const Way& way : ways) {
     INFO(way.name);
     const std::string both =
         packed(nii.substr(0, 370), way.add_filter) + packed(nii.substr(370), way.add_filter);
-    check_volume(write(std::string("a.nii") + way.ending, both), SampleType::u8,
+    check_volume(write(std::string("a.nii") + way.ending, both),
                  std::string("NIfTI-1, ") + way.name);
   }
 }

@@ -1,5 +1,4 @@
 // Commands for a part of a volume, or for fewer voxels.
-#include <sstream>
 
 #include "command.hpp"
 #include "oracle/ramp_ball.hpp"
@@ -20,7 +19,6 @@ std::vector<std::uint16_t> ball() {
   return {volume.samples.begin(), volume.samples.end()};
 }
 
-// The expected result of --crop on the ball.
 std::vector<std::uint16_t> part() {
   const auto whole = ball();
   std::vector<std::uint16_t> samples;
@@ -36,7 +34,6 @@ struct Volumes : Workshop {
     write("v.raw", volume_files::bytes_of(ball()));
     write("part.raw", volume_files::bytes_of(part()));
   }
-  FileMesh obj_in(const std::string& name) const { return mesh_of_obj(read(name)); }
 };
 
 const std::string turned =
@@ -84,8 +81,7 @@ TEST_CASE_FIXTURE(Volumes, "a part of a volume has the results of a file with on
   }
 }
 
-TEST_CASE_FIXTURE(Volumes,
-                  "a part keeps its place in the whole volume, in meshes and through streams") {
+TEST_CASE_FIXTURE(Volumes, "a part keeps its place, in meshes and through streams") {
   write("turned.nrrd", turned + volume_files::bytes_of(ball()));
   write("v.raw", volume_files::bytes_of(ball()));
   for (const std::string& volume :
@@ -95,11 +91,11 @@ TEST_CASE_FIXTURE(Volumes,
     const std::string around = "--crop 1..15,2..,..14 ";
     done(extract + "-o whole.obj");
     done(extract + around + "-o part.obj");
-    check_same_places(obj_in("part.obj"), obj_in("whole.obj"));
+    check_same_places(mesh_in("part.obj"), mesh_in("whole.obj"));
     for (const std::string wire : {"regions", "slices"}) {
       done(extract + around + "--wire " + wire + " -o part.dmc");
       done("decode part.dmc -o decoded.obj");
-      check_same_places(obj_in("decoded.obj"), obj_in("whole.obj"));
+      check_same_places(mesh_in("decoded.obj"), mesh_in("whole.obj"));
     }
   }
 }
@@ -109,7 +105,7 @@ TEST_CASE_FIXTURE(Volumes, "a shrunk ball keeps its size and position") {
   for (const std::string part : {"", "--crop 1..,1..14,2.. "}) {
     done("extract turned.nrrd --iso 1000 --shrink 2 " + part +
          "--surface interpolated -o shrunk.obj");
-    const FileMesh mesh = obj_in("shrunk.obj");
+    const FileMesh mesh = mesh_in("shrunk.obj");
     const double voxel = 2 * 3 * 0.8, ball = 4.18879 * 125 * voxel;
     CHECK(volume_of(mesh) == doctest::Approx(ball).epsilon(0.15));
     // The middle is voxel (7.5, 7.5, 7.5).
@@ -123,8 +119,7 @@ TEST_CASE_FIXTURE(Volumes, "a shrunk ball keeps its size and position") {
   }
 }
 
-TEST_CASE_FIXTURE(Volumes,
-                  "the gradient of a part's stream is that of the same part of the volume") {
+TEST_CASE_FIXTURE(Volumes, "the gradient of a part's stream is that of the volume's part") {
   const std::vector<std::uint16_t> whole = ball();
   write("v32.raw", volume_files::bytes_of(std::vector<float>(whole.begin(), whole.end())));
   const std::string as_f32 = " --dims 16,16,16 --type f32 ";
@@ -178,12 +173,12 @@ TEST_CASE_FIXTURE(Volumes, "labels are shrunk to labels") {
   write("l.raw", labels);
   const std::string extract = "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q -o l.obj ";
   done(extract + "--iso 4");
-  const FileMesh mean = obj_in("l.obj");
+  const FileMesh mean = mesh_in("l.obj");
   done(extract + "--label 6");
-  const FileMesh label = obj_in("l.obj");
+  const FileMesh label = mesh_in("l.obj");
   CHECK(volume_of(mean) > volume_of(label) + 40);
   done("extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q --labels all -o 'all {name}.obj'");
-  CHECK(obj_in("all 6.obj").vertices_mm == label.vertices_mm);
+  CHECK(mesh_in("all 6.obj").vertices_mm == label.vertices_mm);
   CHECK(file_names() == std::vector<std::string>{"all 2.obj", "all 6.obj", "all_2.mtl", "all_6.mtl",
                                                  "l.obj", "l.raw", "part.raw", "v.raw"});
 }

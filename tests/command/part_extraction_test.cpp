@@ -5,7 +5,6 @@
 
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "oracle/region.hpp"
 #include "oracle/thinned.hpp"
 #include "sample_reader.hpp"
 #include "surface/growing_joiner.hpp"
@@ -16,6 +15,7 @@ using discmc::Border;
 using discmc::command::ExtractionOptions;
 using discmc::command::VolumeInfo;
 using namespace discmc::meshing;
+using command_tests::Workshop;
 using discmc::reference::BitVolume;
 using discmc::reference::describe_difference;
 using discmc::reference::random;
@@ -45,7 +45,6 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options) {
   return {extraction, std::move(builder.surface())};
 }
 
-// The regions of a stream.
 Surface streamed(const BitVolume& volume, const ExtractionOptions& options) {
   SampleReader reader(volume);
   std::vector<std::uint8_t> bytes;
@@ -162,16 +161,15 @@ TEST_CASE("the statistics of parts equal those of one sweep, within one cell and
   CHECK(parts.classic_triangles == whole.classic_triangles);
 }
 
-TEST_CASE("files do not depend on the number of jobs") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "files do not depend on the number of jobs") {
   std::string samples;
   std::uint32_t noise = 1;
   for (int i = 0; i < 40 * 40 * 70; ++i) {
     noise = noise * 1664525 + 1013904223;
     samples.push_back(static_cast<char>(i % 40 / 4 % 2 * 60 + static_cast<int>(noise >> 26)));
   }
-  workshop.write("v.raw", samples);
-  workshop.write("m.raw", std::string(40 * 40 * 35, 1) + std::string(40 * 40 * 35, 0));
+  write("v.raw", samples);
+  write("m.raw", std::string(40 * 40 * 35, 1) + std::string(40 * 40 * 35, 0));
   const std::string volume = "extract v.raw --dims 40,40,70 --type u8 --iso 50 -q ";
   for (const std::string options :
        {"-o v.stl", "-o v.ply", "-o v.obj --normals surface", "-o v.glb --border open",
@@ -180,39 +178,38 @@ TEST_CASE("files do not depend on the number of jobs") {
         "-o v.dmc --iso 80 --wire regions"}) {
     CAPTURE(options);
     const std::string file = options.substr(3, 5);
-    workshop.done(volume + options + " --jobs 1");
-    const std::string one = workshop.read(file);
+    done(volume + options + " --jobs 1");
+    const std::string one = read(file);
     CHECK(one.size() > 10000);
     constexpr int jobs[] = {2, 7, 3};
     for (std::size_t i = 0; i < std::size(jobs); i += discmc::reference::step(2)) {
-      workshop.done(volume + options + " --jobs " + std::to_string(jobs[i]));
-      CHECK(workshop.read(file) == one);
+      done(volume + options + " --jobs " + std::to_string(jobs[i]));
+      CHECK(read(file) == one);
     }
   }
-  workshop.done(volume + "-o v.stl --jobs 1");
-  workshop.done(volume + "-o all.stl");
-  CHECK(workshop.read("all.stl") == workshop.read("v.stl"));
+  done(volume + "-o v.stl --jobs 1");
+  done(volume + "-o all.stl");
+  CHECK(read("all.stl") == read("v.stl"));
 }
 
-TEST_CASE("meshes of labels, and what is printed, do not depend on the number of jobs") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "meshes of labels and output do not depend on the number of jobs") {
   std::string labels;
   for (int i = 0; i < 32 * 32 * 24; ++i) {
     const int x = i % 32, y = i / 32 % 32, z = i / 1024;
     labels.push_back(static_cast<char>(1 + x / 8 + 4 * (y / 8) + 16 * (z / 8)));
   }
-  workshop.write("v.raw", labels);
+  write("v.raw", labels);
   const std::string volume = "extract v.raw --dims 32,32,24 --type u8 --labels all ";
   for (const std::string options :
        {"-o v.glb", "-o v.csv --bodies", "-o v.glb --smooth auto",
         "-o v.3mf --smooth auto --triangles 10", "-o '{name}.stl' --largest 1 --max-error 0.1"}) {
     CAPTURE(options);
     const std::string file = options[3] == 'v' ? options.substr(3, 5) : "17.stl";
-    const std::string printed = workshop.done(volume + options + " --jobs 1");
-    const std::string one = workshop.read(file);
+    const std::string printed = done(volume + options + " --jobs 1");
+    const std::string one = read(file);
     CHECK(one.size() > 100);
-    CHECK(workshop.done(volume + options + " --jobs 3") == printed);
-    CHECK(workshop.read(file) == one);
+    CHECK(done(volume + options + " --jobs 3") == printed);
+    CHECK(read(file) == one);
   }
 }
 
@@ -228,21 +225,18 @@ TEST_CASE("packets of parts hold the regions of one sweep, in an order independe
   }
 }
 
-TEST_CASE("a truncated volume is refused as in one sweep, and no file is left") {
-  const command_tests::Workshop workshop;
-  workshop.write("v.nrrd",
-                 "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 60\nencoding: raw\n\n" +
-                     std::string(20 * 20 * 45, 'a'));
+TEST_CASE_FIXTURE(Workshop, "a truncated volume is refused as in one sweep, and no file is left") {
+  write("v.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 60\nencoding: raw\n\n" +
+                      std::string(20 * 20 * 45, 'a'));
   for (const std::string jobs : {"1", "4"}) {
-    workshop.fails("extract v.nrrd --iso 50 -o v.stl --jobs " + jobs, 1, {"v.nrrd"});
+    fails("extract v.nrrd --iso 50 -o v.stl --jobs " + jobs, 1, {"v.nrrd"});
   }
 }
 
-TEST_CASE("--jobs 0, and --jobs for a stream with gradient normals, are refused") {
-  const command_tests::Workshop workshop;
-  workshop.write("v.raw", std::string(4 * 4 * 4, 'a'));
+TEST_CASE_FIXTURE(Workshop, "--jobs 0, and --jobs for a stream with normals, are refused") {
+  write("v.raw", std::string(4 * 4 * 4, 'a'));
   const auto refused = [&](const std::string& options, const std::string& part) {
-    workshop.fails("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options, 2, {part});
+    fails("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options, 2, {part});
   };
   refused("-o v.stl --jobs 0", "--jobs");
   refused("-o v.dmc --jobs 2 --normals gradient", "leave one out");

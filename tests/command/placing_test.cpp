@@ -3,7 +3,6 @@
 
 #include "command.hpp"
 #include "oracle/stream.hpp"
-#include "oracle/volume.hpp"
 
 namespace {
 
@@ -58,10 +57,6 @@ void check_closed(const FileMesh& mesh, double determinant) {
   CHECK(volume_of(mesh) == doctest::Approx(std::fabs(determinant) / 6).epsilon(1e-3));
 }
 
-FileMesh mesh_in(const Workshop& workshop, const std::string& name) {
-  return mesh_of(name, workshop.read(name));
-}
-
 void copy_placed(const Workshop& workshop, const std::string& name) {
   workshop.write(name, contents(DISCMC_SOURCE_DIR "/tests/command/placed/" + name));
 }
@@ -87,19 +82,18 @@ TEST_CASE_FIXTURE(Workshop, "a mesh lies where NiBabel places the volume") {
     for (const std::string name : {"v.obj", "v.ply", "v.stl"}) {
       INFO(volume.name, " as ", name);
       done("extract " + volume.name + " --iso 500 -q -o " + name);
-      check_vertices(mesh_in(*this, name), in_lps(volume.vertices));
-      check_closed(mesh_in(*this, name), volume.determinant);
+      check_vertices(mesh_in(name), in_lps(volume.vertices));
+      check_closed(mesh_in(name), volume.determinant);
       CHECK(contains(read(name).substr(0, 120), "SPACE=LPS"));
       done("extract " + volume.name + " --iso 500 --space ras -q -o " + name);
-      check_vertices(mesh_in(*this, name), volume.vertices);
-      check_closed(mesh_in(*this, name), volume.determinant);
+      check_vertices(mesh_in(name), volume.vertices);
+      check_closed(mesh_in(name), volume.determinant);
       CHECK(contains(read(name).substr(0, 120), "SPACE=RAS"));
     }
   }
 }
 
-TEST_CASE_FIXTURE(
-    Workshop, "a stream of either kind carries the placement to the mesh, and to another stream") {
+TEST_CASE_FIXTURE(Workshop, "either kind of stream carries the placement to meshes and streams") {
   for (const Placed& volume : placed)
     for (const std::string wire : {"regions", "slices"}) {
       INFO(volume.name, " by ", wire);
@@ -108,10 +102,10 @@ TEST_CASE_FIXTURE(
       done("decode v.dmc -o again.dmc");
       for (const std::string stream : {"v.dmc", "again.dmc"}) {
         done("decode " + stream + " -o v.obj");
-        check_vertices(mesh_in(*this, "v.obj"), in_lps(volume.vertices));
-        check_closed(mesh_in(*this, "v.obj"), volume.determinant);
+        check_vertices(mesh_in("v.obj"), in_lps(volume.vertices));
+        check_closed(mesh_in("v.obj"), volume.determinant);
         done("decode " + stream + " --space ras -o v.obj");
-        check_vertices(mesh_in(*this, "v.obj"), volume.vertices);
+        check_vertices(mesh_in("v.obj"), volume.vertices);
       }
     }
 }
@@ -123,7 +117,7 @@ TEST_CASE_FIXTURE(Workshop, "every surface of a stream has the placement") {
     done("extract sform.nii --iso 400 --iso 500 --wire " + wire + " -o v.dmc");
     for (const std::string channel : {"0", "1"}) {
       done("decode v.dmc --stream-channel " + channel + " -o v.obj");
-      check_vertices(mesh_in(*this, "v.obj"), in_lps(placed[0].vertices));
+      check_vertices(mesh_in("v.obj"), in_lps(placed[0].vertices));
     }
   }
 }
@@ -137,11 +131,11 @@ TEST_CASE_FIXTURE(Workshop, "in the space of voxels a mesh is at index times spa
   Vertices in_space;
   for (const Point& v : at_voxels) in_space.push_back({10 - v[1], 20 + v[0], 30 + v[2]});
   done("extract v.nrrd --iso 100 --space voxel -o v.ply");
-  check_vertices(mesh_in(*this, "v.ply"), at_voxels);
+  check_vertices(mesh_in("v.ply"), at_voxels);
   CHECK_FALSE(contains(read("v.ply"), "SPACE"));
   for (const std::string name : {"v.ply", "v.3mf", "v.glb", "v.vtp"}) {
     done("extract v.nrrd --iso 100 -o " + name);
-    check_vertices(mesh_in(*this, name), in_space);
+    check_vertices(mesh_in(name), in_space);
   }
   // How VTK writes LPS.
   CHECK(contains(read("v.vtp"),
@@ -149,17 +143,16 @@ TEST_CASE_FIXTURE(Workshop, "in the space of voxels a mesh is at index times spa
                  "format=\"ascii\">76 80 83 0<"));
   done("extract v.nrrd --iso 100 -o v.dmc");
   done("decode v.dmc --space voxel -o v.ply");
-  check_vertices(mesh_in(*this, "v.ply"), at_voxels);
+  check_vertices(mesh_in("v.ply"), at_voxels);
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "a volume in scanner space keeps its placement and has no patient space") {
+TEST_CASE_FIXTURE(Workshop, "a volume in scanner space keeps its placement") {
   write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
         "space dimension: 3\nspace origin: (10,20,30)\n"
         "space directions: (2,0,0) (0,2,0) (0,0,2)\n");
   done("extract v.nrrd --iso 100 -o v.ply");
   check_vertices(
-      mesh_in(*this, "v.ply"),
+      mesh_in("v.ply"),
       {{9, 20, 30}, {11, 20, 30}, {10, 19, 30}, {10, 21, 30}, {10, 20, 29}, {10, 20, 31}});
   CHECK_FALSE(contains(read("v.ply"), "SPACE"));
   done("extract v.nrrd --iso 100 -o v.dmc");
@@ -196,7 +189,7 @@ TEST_CASE_FIXTURE(Workshop, "faces look outside if the placement of a stream mir
   placement.origin_nm[2] = 5000000;
   write("v.dmc", stream_with(placement));
   done("decode v.dmc --normals surface -o v.obj");
-  const FileMesh mesh = mesh_in(*this, "v.obj");
+  const FileMesh mesh = mesh_in("v.obj");
   check_closed(mesh, -1);
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
     CHECK(dot(mesh.normals[i], discmc::meshing::difference(mesh.vertices_mm[i], {0, 0, 5})) ==
@@ -206,6 +199,6 @@ TEST_CASE_FIXTURE(Workshop, "faces look outside if the placement of a stream mir
 TEST_CASE_FIXTURE(Workshop, "a degenerate placement in a stream is ignored with a note") {
   write("v.dmc", stream_with({}));
   check_parts(run("decode v.dmc -o v.obj"), 0, {"v.dmc: the placement in the stream is ignored"});
-  check_vertices(mesh_in(*this, "v.obj"),
+  check_vertices(mesh_in("v.obj"),
                  {{-0.5, 0, 0}, {0.5, 0, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {0, 0, -0.5}, {0, 0, 0.5}});
 }

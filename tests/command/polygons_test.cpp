@@ -1,11 +1,7 @@
 // The container of polygons: views of growing arrays.
 #include "surface/polygons.hpp"
 
-#include <algorithm>
-#include <array>
 #include <random>
-#include <utility>
-#include <vector>
 
 #include "hand_made.hpp"
 #include "test.hpp"
@@ -30,7 +26,6 @@ Polygons square_with_hole() {
   return polygon_of(up, {square, hole});
 }
 
-// The elements visited by loops over the container.
 struct Met {
   std::vector<Incidence> incidences;
   std::vector<std::vector<Corners>> rings;

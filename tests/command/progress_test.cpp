@@ -43,8 +43,7 @@ TEST_CASE("progress is a percentage, or a count if the total is unknown") {
   CHECK(progress_text("writing", 0, 0) == "writing");
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "a terminal is shown the phases of the whole job, and a clean line after them") {
+TEST_CASE_FIXTURE(Workshop, "a terminal shows the phases of the job, then a clean line") {
   write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
   const std::string extracted = on_terminal(*this, "extract v.nrrd --iso 100 -o v.obj");
   if (extracted.empty()) return;  // no program that makes a terminal

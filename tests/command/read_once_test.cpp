@@ -11,15 +11,14 @@ using namespace command_tests;
 using namespace volume_files;
 
 const std::filesystem::path files = DISCMC_SOURCE_DIR "/tests/command/volumes";
-const std::string u8 = stored(volume_files::SampleType::u8);
-const std::string nrrd_file = nrrd(volume_files::nrrd_u8) + "\n" + u8;
+const std::string nrrd_file = nrrd(nrrd_u8) + "\n" + u8;
 
 }  // namespace
 
 TEST_CASE_FIXTURE(Folder, "a pipe is read like a file with the same content") {
   const auto pipe = path() / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  const std::string local = metaimage(volume_files::metaimage_u8 + "ElementDataFile = LOCAL\n");
+  const std::string local = metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n");
   const std::pair<std::string, std::string> cases[] = {
       {nrrd_file, "NRRD, raw"},
       {gzip(nrrd_file), "NRRD, raw, gzip"},
@@ -32,7 +31,7 @@ TEST_CASE_FIXTURE(Folder, "a pipe is read like a file with the same content") {
   };
   for (const auto& [content, format] : cases) {
     std::thread writer([&, bytes = content] { std::ofstream(pipe, std::ios::binary) << bytes; });
-    volume_files::check_volume(pipe, volume_files::SampleType::u8, format);
+    check_volume(pipe, format);
     writer.join();
   }
 }
@@ -40,10 +39,9 @@ TEST_CASE_FIXTURE(Folder, "a pipe is read like a file with the same content") {
 TEST_CASE_FIXTURE(Folder, "a pipe that claims a large volume needs memory only for its samples") {
   const auto pipe = path() / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  const std::string claim = nrrd(volume_files::nrrd_u8, "32766 32766 1000000") + "\n" + u8;
+  const std::string claim = nrrd(nrrd_u8, "32766 32766 1000000") + "\n" + u8;
   std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << claim; });
-  volume_files::check_refusal(volume_files::refusal(pipe),
-                              "slice 0 (the first is 0) of 1000000: 1073610696 bytes of it are");
+  check_refusal(refusal(pipe), "slice 0 (the first is 0) of 1000000: 1073610696 bytes of it are");
   writer.join();
 }
 

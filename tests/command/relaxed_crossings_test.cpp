@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "meshes/intersections.hpp"
 #include "meshes/surface_normals.hpp"
 #include "sampled_field.hpp"
 #include "test.hpp"
@@ -24,10 +23,6 @@ Crossings relaxed(const Field& field, const Extracted& of, double tolerance) {
 
 FaceMesh mesh_of(const Extracted& of, const Crossings* crossings, double tolerance) {
   return build_mesh(of.surface, {true, Faces::triangles, crossings, tolerance});
-}
-
-std::size_t intersections_of(const FaceMesh& mesh) {
-  return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
 // A slope of one voxel in many, as in scans: the steps that are hardest to smooth.
@@ -91,7 +86,7 @@ TEST_CASE("a relaxed surface is closed, keeps every voxel on its side and inters
       CHECK(moved > 50);
       const FaceMesh mesh = mesh_of(of, &crossings, tolerance);
       CHECK(check_mesh(mesh).is_closed());
-      CHECK(intersections_of(mesh) == 0);
+      CHECK(crossing_pairs(mesh) == 0);
     }
 }
 
@@ -103,9 +98,9 @@ TEST_CASE("crossings in the middle intersect in no configuration of a cell, so r
     });
     const Extracted of = extracted(field);
     const Crossings middle(dims_of(field), of.surface.polygons);
-    REQUIRE(intersections_of(mesh_of(of, &middle, 0)) == 0);
+    REQUIRE(crossing_pairs(mesh_of(of, &middle, 0)) == 0);
     const Crossings crossings = relaxed(field, of, 0);
-    REQUIRE(intersections_of(mesh_of(of, &crossings, 0)) == 0);
+    REQUIRE(crossing_pairs(mesh_of(of, &crossings, 0)) == 0);
   }
 }
 
@@ -118,9 +113,9 @@ TEST_CASE("separate() leaves no intersecting faces in noise") {
   crossings.for_each([&](Crossings::Place place, const Vertex&) {
     crossings.move(place, chance.below(2) == 0 ? 0.02F : 1.98F);
   });
-  REQUIRE(intersections_of(mesh_of(of, &crossings, 0)) > 0);
+  REQUIRE(crossing_pairs(mesh_of(of, &crossings, 0)) > 0);
   separate(crossings, of.surface, {Border::closed, 0, {}});
-  CHECK(intersections_of(mesh_of(of, &crossings, 0)) == 0);
+  CHECK(crossing_pairs(mesh_of(of, &crossings, 0)) == 0);
 }
 
 TEST_CASE("a flat surface stays flat") {

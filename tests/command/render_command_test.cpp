@@ -19,7 +19,6 @@ struct Volumes : Workshop {
     write("v.raw", samples);
     done("extract v.nrrd --iso 100 -o v.dmc");
   }
-  // The picture made by the command.
   std::string picture(const std::string& arguments) const {
     const std::string bytes = done("render " + arguments + small + " -o -");
     CHECK(bytes.substr(1, 3) == "PNG");
@@ -43,8 +42,7 @@ TEST_CASE_FIXTURE(Volumes, "a volume is drawn like its stream with normals") {
   CHECK(picture("v.nrrd --iso 100 --capacities 20,0 --edges") == outlined);
 }
 
-TEST_CASE_FIXTURE(
-    Volumes, "a file of any name is a volume if a threshold is given, and a stream otherwise") {
+TEST_CASE_FIXTURE(Volumes, "any file is a volume if a threshold is given, else a stream") {
   shell("cp v.raw samples; cp v.nrrd headed; cp v.dmc stream");
   const std::string expected = picture("v.dmc");
   CHECK(picture("samples --iso 100" + raw_layout) == expected);

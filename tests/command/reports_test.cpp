@@ -6,7 +6,6 @@ namespace {
 
 using namespace volume_files;
 using command_tests::check_failure;
-using command_tests::contains;
 using command_tests::Workshop;
 
 TEST_CASE_FIXTURE(Folder, "formats are named by their first bytes, with a remedy") {
@@ -43,12 +42,11 @@ TEST_CASE_FIXTURE(Folder, "samples with a describing text file are read with the
   const auto pcr = write("v.pcr",
                          "[Volume]\nVolume_SizeX=5\nVolume_SizeY=3\nVolume_SizeZ=4\n"
                          "[Geometry]\nVoxelSizeRec = 0,05\n[VolumeData]\nFormat=5\n");
-  std::vector<double> values;
-  for (int i = 0; i < voxels; ++i) values.push_back(sample_at(i, SampleType::u16));
-  CHECK(read_all(*open_volume(vgi)) == values);
-  CHECK(open_volume(vgi)->info().spacing_mm == Spacing{2e-3, 3e-3, 4e-3});
-  CHECK(read_all(*open_volume(pcr)) == values);
-  CHECK(open_volume(pcr)->info().spacing_mm == Spacing{0.05, 0.05, 0.05});
+  const std::vector<double> values = samples_as(SampleType::u16);
+  CHECK(read_samples(vgi) == values);
+  CHECK(read_info(vgi).spacing_mm == Spacing{2e-3, 3e-3, 4e-3});
+  CHECK(read_samples(pcr) == values);
+  CHECK(read_info(pcr).spacing_mm == Spacing{0.05, 0.05, 0.05});
   check_refused(write("w.vgi", "Size = 5 3\nDatatype = float\nBitsPerElement = 32\n"), "the size");
   check_refused(write("x.vgi",
                       "Size = 5 3 4\nName = ..\nDatatype = float\n"
@@ -60,7 +58,7 @@ TEST_CASE_FIXTURE(Folder, "samples with a describing text file are read with the
                            "VoxelSizeX=2\nVoxelSizeY=3\nVoxelSizeZ=4\n");
   check_refused(nikon, "describes 'head 1.5.vol', of 5 x 3 x 4 voxels, which is not");
   write("head 1.5.vol", stored(SampleType::f32));
-  CHECK(open_volume(nikon)->info().spacing_mm == Spacing{2, 3, 4});
+  CHECK(read_info(nikon).spacing_mm == Spacing{2, 3, 4});
 }
 
 TEST_CASE_FIXTURE(Folder, "a Gaussian cube is read along its axes, in angstrom") {
@@ -74,9 +72,7 @@ TEST_CASE_FIXTURE(Folder, "a Gaussian cube is read along its axes, in angstrom")
         values[static_cast<std::size_t>((z * 3 + y) * 2 + x)] = 100 * x + 10 * y + z;
       }
   const auto reader = open_volume(write("v.cube", text));
-  CHECK(reader->info().spacing_mm == Spacing{0.2, 0.3, 0.4});
-  REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->origin_mm == Spacing{-10, 5, 2});
+  check_grid(reader->info(), {0.2, 0.3, 0.4}, {-10, 5, 2});
   CHECK(read_all(*reader) == values);
   check_refused(write("w.cube", "a\nb\n1 2\n"), "no count and three numbers");
   check_refused(write("x.cube", "a\nb\n99999999999 0 0 0\n2 1 0 0\n2 0 1 0\n2 0 0 1\n"),
@@ -89,10 +85,11 @@ std::string mask(const std::string& samples) {
 
 // At the same position in space, with x from right to left or from left to right.
 std::string placed_mask(const std::string& samples, bool is_reversed) {
-  Nifti header;
-  header.dims({3, 4, 3, 2}).integer(254, 2, 1);
-  header.real(280, is_reversed ? -1 : 1).real(292, is_reversed ? 3 : 0);
-  return header.real(300, 1).real(320, 1).file(samples);
+  const float along = is_reversed ? -1 : 1, first = is_reversed ? 3 : 0;
+  return Nifti()
+      .dims({3, 4, 3, 2})
+      .sform({along, 0, 0, first, 0, 1, 0, 0, 0, 0, 1, 0})
+      .file(samples);
 }
 
 TEST_CASE_FIXTURE(Folder, "masks whose axes run the other way are turned") {
@@ -105,7 +102,7 @@ TEST_CASE_FIXTURE(Folder, "masks whose axes run the other way are turned") {
   write("b.nii", placed_mask(reversed, true));
   VolumeOptions options = with(&VolumeOptions::holds_labels, true);
   options.frame = 0;
-  const auto values = read_all(*open_volume(path(), options));
+  const auto values = read_samples(path(), options);
   options.frame = 1;
   const auto turned = open_volume(path(), options);
   CHECK(read_all(*turned) == values);
@@ -130,18 +127,18 @@ TEST_CASE_FIXTURE(Workshop, "masks beside a picture are the volume, and the pict
 }
 
 TEST_CASE_FIXTURE(Folder, "a folder of one volume is that volume, and others are listed") {
-  write("a/b/v.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
+  write("a/b/v.npy", npy("|u1", "4, 3, 5", u8));
   write("a/notes.txt", "...");
-  CHECK(open_volume(path())->info().dims == Dims{5, 3, 4});
-  write("a/w.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
+  CHECK(read_info(path()).dims == Dims{5, 3, 4});
+  write("a/w.npy", npy("|u1", "4, 3, 5", u8));
   check_refused(path(), "several volumes in folders: 2, such as ", "a/b/v.npy");
   fs::remove_all(path() / "a");
   write("2dseq", "...");
   check_refused(path(), "the folder holds Bruker ParaVision, '2dseq'; convert it");
   fs::remove(path() / "2dseq");
   write("a/v.hdr", Nifti().pair().header());
-  write("a/v.img", stored(SampleType::u8));
-  CHECK(open_volume(path())->info().dims == Dims{5, 3, 4});
+  write("a/v.img", u8);
+  CHECK(read_info(path()).dims == Dims{5, 3, 4});
 }
 
 TEST_CASE_FIXTURE(Workshop, "labels that no voxel has are noted, and those that shrinking loses") {
@@ -170,8 +167,7 @@ TEST_CASE_FIXTURE(Workshop, "regions of nnU-Net are the unions of their labels")
   CHECK(read("all.stl") == read("u.stl"));
 }
 
-TEST_CASE_FIXTURE(
-    Workshop, "volumes of a file are no labels, and the refusal names the way to extract them") {
+TEST_CASE_FIXTURE(Workshop, "volumes of a file are no labels; the refusal has the remedy") {
   write("v.nii", Nifti().dims({4, 2, 2, 2, 3}).file(std::string(24, '\1')));
   fails("extract v.nii --labels all -o v.glb", 1,
         {"choose one with --frame N", "with --frame 0 to 2, each with --label 1"});
@@ -186,10 +182,10 @@ TEST_CASE_FIXTURE(Folder, "frames that are tracked in different poses are no sli
                      "Seq_Frame0000_ProbeToTrackerTransformStatus = OK\n" +
                      "Seq_Frame0001_ProbeToTrackerTransform = " + second +
                      "\nElementDataFile = LOCAL\n") +
-           stored(SampleType::u8);
+           u8;
   };
   check_refused(write("a.mha", sequence("0.9 0.1 0 0")), "VolumeReconstructor");
-  CHECK(open_volume(write("b.mha", sequence("1 0 0 0")))->info().dims[2] == 4);
+  CHECK(read_info(write("b.mha", sequence("1 0 0 0"))).dims[2] == 4);
 }
 
 TEST_CASE_FIXTURE(Folder, "the fourth dimension of space in NRRD of ITK is time") {
@@ -199,10 +195,8 @@ TEST_CASE_FIXTURE(Folder, "the fourth dimension of space in NRRD of ITK is time"
                                      "space origin: (5,6,7,0)\n",
                            "2 2 2 2") +
                           "\n" + std::string("abcdefghABCDEFGH"));
-  const auto reader = open_volume(file, with(&VolumeOptions::frame, 1));
-  CHECK(reader->info().spacing_mm == Spacing{2, 3, 4});
-  REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->origin_mm == Spacing{5, 6, 7});
+  const auto reader = open_volume(file, of_frame(1));
+  check_grid(reader->info(), {2, 3, 4}, {5, 6, 7});
   CHECK(read_all(*reader)[0] == 'A');
 }
 
@@ -213,12 +207,12 @@ TEST_CASE_FIXTURE(Folder, "the origin of SPM places Analyze, with x from right t
   std::string bytes = header.header();
   bytes.replace(344, 4, 4, '\0');
   write("v.hdr", bytes);
-  const auto reader = open_volume(write("v.img", stored(SampleType::u8)));
-  REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->space == discmc::Space::ras);
-  CHECK(reader->info().placement->origin_mm == Spacing{2, -6, 0});
-  CHECK(reader->info().placement->axes_mm[0] == Spacing{-2, 0, 0});
-  CHECK(noted(reader->info(), "the origin is SPM's"));
+  const VolumeInfo info = read_info(write("v.img", u8));
+  REQUIRE(info.placement);
+  CHECK(info.placement->space == Space::ras);
+  CHECK(info.placement->origin_mm == Spacing{2, -6, 0});
+  CHECK(info.placement->axes_mm[0] == Spacing{-2, 0, 0});
+  CHECK(noted(info, "the origin is SPM's"));
 }
 
 TEST_CASE_FIXTURE(Workshop, "a single distance holds for all axes") {
@@ -230,7 +224,7 @@ TEST_CASE_FIXTURE(Workshop, "a single distance holds for all axes") {
 }
 
 TEST_CASE_FIXTURE(Workshop, "a path into a zip names one file of it, and leads nowhere else") {
-  write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   if (shell("mkdir s && cp v.nrrd s/a.nrrd && cp v.nrrd s/b.nrrd && "
             "python3 -m zipfile -c s.mrb s")
           .code != 0)

@@ -10,6 +10,7 @@
 #include "extraction/classic.hpp"
 #include "extraction/crossings.hpp"
 #include "extraction/extraction.hpp"
+#include "meshes/intersections.hpp"
 #include "meshes/mesh.hpp"
 #include "oracle/stream.hpp"
 #include "sample_reader.hpp"
@@ -81,6 +82,10 @@ inline Extracted extracted(const Field& field, SampleType type = SampleType::u8,
 inline FaceMesh interpolated(const Extracted& extracted, double tolerance) {
   return build_mesh(extracted.surface,
                     {true, Faces::triangles, &extracted.finder.crossings(), tolerance});
+}
+
+inline std::size_t crossing_pairs(const FaceMesh& mesh) {
+  return intersecting_faces(mesh, all_faces(mesh)).size();
 }
 
 inline FaceMesh classic(const Field& field) {

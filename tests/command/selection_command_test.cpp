@@ -10,10 +10,13 @@ using command_tests::Workshop;
 // 60 voxels, five per row, three rows per slice: 0, 4, 8, ..., 236.
 const std::string ramp = "extract v.raw --dims 5,3,4 --type u8 ";
 
+struct Ramp : Workshop {
+  Ramp() { write("v.raw", volume_files::stored(volume_files::SampleType::u8)); }
+};
+
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop, "a range includes both ends") {
-  write("v.raw", volume_files::stored(volume_files::SampleType::u8));
+TEST_CASE_FIXTURE(Ramp, "a range includes both ends") {
   // The voxels from 8 to 236 without those from 104 on are those from 8 to 100.
   done(ramp + "--range 8..100 -o range.jsonl");
   done(ramp + "--range 7.5..103.5 -o wider.jsonl");
@@ -28,15 +31,13 @@ TEST_CASE_FIXTURE(Workshop, "a range includes both ends") {
   CHECK(read("lower.jsonl") == read("first_two.jsonl"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a label selects the voxels of one value") {
-  write("v.raw", volume_files::stored(volume_files::SampleType::u8));
+TEST_CASE_FIXTURE(Ramp, "a label selects the voxels of one value") {
   CHECK(contains(done(ramp + "--label 12 -o v.stl"), "classic Marching Cubes: 8 triangles"));
   CHECK(contains(done(ramp + "--label 13 --allow-empty -o v.stl"),
                  "classic Marching Cubes: 0 triangles"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "each of several surfaces is written to a mesh file with its name") {
-  write("v.raw", volume_files::stored(volume_files::SampleType::u8));
+TEST_CASE_FIXTURE(Ramp, "each of several surfaces is written to a mesh file with its name") {
   const std::string told = done(ramp + "--iso 100 --iso 20.5 --iso=-1 -o '{name} of v.stl'");
   for (const std::string iso : {"100", "20.5", "-1"}) {
     CHECK(contains(told, iso + " of v.stl: "));
@@ -48,8 +49,7 @@ TEST_CASE_FIXTURE(Workshop, "each of several surfaces is written to a mesh file 
   CHECK(read("v0..5.ply") == read("alone.ply"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a range is encoded in streams of both kinds") {
-  write("v.raw", volume_files::stored(volume_files::SampleType::u8));
+TEST_CASE_FIXTURE(Ramp, "a range is encoded in streams of both kinds") {
   done(ramp + "--range 8..100 -o v.jsonl");
   for (const std::string wire : {"regions", "slices"}) {
     done(ramp + "--range 8..100 --wire " + wire + " -o v.dmc");
@@ -58,8 +58,7 @@ TEST_CASE_FIXTURE(Workshop, "a range is encoded in streams of both kinds") {
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "invalid selections are refused before any work") {
-  write("v.raw", volume_files::stored(volume_files::SampleType::u8));
+TEST_CASE_FIXTURE(Ramp, "invalid selections are refused before any work") {
   fails(ramp + "-o v.stl", 2, {"--iso", "--range", "--label"});
   fails(ramp + "--range 9..8 -o v.stl", 2, {"'9..8'", "LOW..HIGH"});
   fails(ramp + "--range 9 -o v.stl", 2, {"'9'", "LOW..HIGH"});

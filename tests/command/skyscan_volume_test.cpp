@@ -35,11 +35,9 @@ struct Bmp {
   }
 };
 
-// The samples of a slice.
 std::vector<double> samples(const Bmp& bmp, std::optional<std::uint32_t> channel = {}) {
   const Folder folder;
-  return read_all(
-      *open_volume(folder.write("v.bmp", bmp.bytes()), with(&VolumeOptions::channel, channel)));
+  return read_all(*open_volume(folder.write("v.bmp", bmp.bytes()), of_channel(channel)));
 }
 
 TEST_CASE("rows of BMP begin with the lowest, unless its height is negative") {
@@ -126,32 +124,32 @@ TEST_CASE("the spacing of slices is that of the reconstruction in SkyScan's log"
       "Result Image Width (pixels)=3\r\nResult Image Height (pixels)=2\r\n"
       "Section to Section Step=2\r\nPixel Size (um)=12.50\r\n");
   for (const fs::path& name : {scan.path(), scan.path() / "*.bmp", scan.path() / "s_rec*.bmp"}) {
-    const VolumeInfo info = open_volume(name)->info();
+    const VolumeInfo info = read_info(name);
     CHECK(info.format == "BMP");
     CHECK(info.dims == Dims{3, 2, 3});
     CHECK(info.spacing_mm == Spacing{0.0125, 0.0125, 0.025});
     CHECK(noted(info, "spacing from 's_rec.log'"));
     CHECK(noted(info, "'s_rec_spr.bmp' is an overview, and is left out"));
   }
-  CHECK(open_volume(scan.path(), {{}, Spacing{1, 2, 3}})->info().spacing_mm == Spacing{1, 2, 3});
+  CHECK(read_info(scan.path(), {{}, Spacing{1, 2, 3}}).spacing_mm == Spacing{1, 2, 3});
 }
 
 TEST_CASE("a log for slices of another size is ignored; without a pixel size, the scan's applies") {
   const SkyScan other("Result Image Width (pixels)=1000\r\nPixel Size (um)=12.50\r\n");
-  CHECK(noted(open_volume(other.path())->info(),
+  CHECK(noted(read_info(other.path()),
               "'s_rec.log' describes slices of another size, and is not used"));
-  CHECK(noted(open_volume(other.path())->info(), "no spacing given"));
+  CHECK(noted(read_info(other.path()), "no spacing given"));
   for (const SkyScan& none :
        {SkyScan("Result Image Width (pixels)=3\r\nResult Image Height (pixels)=2\r\n"),
         SkyScan("Pixel Size (um)=0\r\n")})
-    CHECK(open_volume(none.path())->info().spacing_mm[0] == doctest::Approx(0.0268));
+    CHECK(read_info(none.path()).spacing_mm[0] == doctest::Approx(0.0268));
   const SkyScan elsewhere("Pixel Size (um)=12.50\r\n", "other.log");
-  CHECK(noted(open_volume(elsewhere.path())->info(), "no spacing given"));
+  CHECK(noted(read_info(elsewhere.path()), "no spacing given"));
 }
 
 TEST_CASE("an overview is read if no slice is named") {
   const SkyScan scan("");
-  CHECK(open_volume(scan.path() / "s_rec_spr.bmp")->info().dims[2] == 1);
+  CHECK(read_info(scan.path() / "s_rec_spr.bmp").dims[2] == 1);
 }
 
 }  // namespace

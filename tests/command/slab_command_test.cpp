@@ -1,6 +1,5 @@
 // A volume in slabs, one stream each, and their join: extract --slab, and join.
 #include <discmc/encoder.hpp>
-#include <sstream>
 
 #include "command.hpp"
 #include "hand_made.hpp"
@@ -64,7 +63,6 @@ struct Slabs : Workshop {
     CHECK(reader.report().is_complete());
     return hand_made::regions_of(builder.surface());
   }
-  // Their names in one line.
   std::string write_slabs(int count, const std::string& options = {}) const {
     std::string names;
     for (int slab = 1; slab <= count; ++slab) {
@@ -103,8 +101,7 @@ TEST_CASE_FIXTURE(Slabs, "slabs of any thickness are joined to the regions of on
   }
 }
 
-TEST_CASE_FIXTURE(
-    Slabs, "slabs of several parts, on several cores, are joined to the regions of one sweep") {
+TEST_CASE_FIXTURE(Slabs, "slabs of several parts are joined to the regions of one sweep") {
   std::string samples = rough_samples(20, 20, 80);
   // A plate with many holes does not fit a packet.
   for (int i = 30 * 400; i < 34 * 400; ++i)
@@ -178,8 +175,7 @@ TEST_CASE_FIXTURE(Slabs, "the depth of a volume may be only in the records of it
                  "other.dmc: its slab is part of 8 slices, and the volume has 9"));
 }
 
-TEST_CASE_FIXTURE(Slabs,
-                  "streams that do not belong together are not joined, and nothing is written") {
+TEST_CASE_FIXTURE(Slabs, "streams that do not belong together are not joined") {
   write_slabs(3);
   done("extract v.raw --dims 13,11,9 --type u8 --iso 51 -q --slab 2/3 -o other.dmc");
   done("extract v.raw --dims 13,11,9 --type u8 --iso 50 -q --wire slices -o slices.dmc");

@@ -3,8 +3,6 @@
 
 #include "command.hpp"
 #include "mask_shapes.hpp"
-#include "meshes/intersections.hpp"
-#include "meshes/mesh.hpp"
 #include "meshes/mesh_edges.hpp"
 #include "sampled_field.hpp"
 #include "smoothing/kept_volumes.hpp"
@@ -14,7 +12,9 @@ namespace {
 
 using namespace discmc::command;
 using namespace sampled_field;
+using command_tests::contains;
 using command_tests::volume_of;
+using command_tests::Workshop;
 using discmc::reference::BitVolume;
 using sample_reader::bit_threshold;
 
@@ -22,7 +22,6 @@ Grid grid_of(const BitVolume& volume, const Point& spacing_mm) {
   return {{volume.width, volume.height, volume.depth}, spacing_mm};
 }
 
-// The slices of a mask, in sequence.
 SliceSource slices_of(const BitVolume& volume) {
   const std::size_t slice = std::size_t{volume.width} * volume.height;
   return [&volume, slice, next = std::size_t{0}](float* samples) mutable {
@@ -94,6 +93,11 @@ FaceMesh mesh_of(SmoothedVolume& volume, double deviation_mm, double tolerance) 
   return build_mesh(surface, {true, Faces::triangles, &finder.crossings(), tolerance});
 }
 
+FaceMesh mesh_of(const SmoothedLabel& label) {
+  return build_mesh(label.surface.surface,
+                    {true, Faces::triangles, &label.crossings.crossings(), 0.05});
+}
+
 struct Smoothed {
   std::vector<float> samples;
   FileMesh mesh;
@@ -130,19 +134,15 @@ std::pair<std::size_t, std::int64_t> topology_of(const FaceMesh& mesh) {
                             static_cast<std::int64_t>(mesh.face_count() / 2)};
 }
 
-std::size_t crossing_pairs(const FaceMesh& mesh) {
-  return intersecting_faces(mesh, all_faces(mesh)).size();
-}
-
-// The angles between the normals of faces and of the shape, weighted by area.
-double mean_degrees(const FaceMesh& mesh, const mask_shapes::Shape& shape) {
+// The angles between the normals of faces and of a shape, weighted by area.
+double mean_degrees(const FaceMesh& mesh, const std::function<Point(const Point&)>& normal_of) {
   double sum = 0, all = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     Point centre{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         centre[axis] += mesh.vertices_mm[mesh.face(face)[i]][axis] / 3;
-    const Point normal = unit_or_zero(shape.normal(centre)), area = area_vector(mesh, face);
+    const Point normal = unit_or_zero(normal_of(centre)), area = area_vector(mesh, face);
     const double size = std::sqrt(dot(area, area));
     if (normal == Point{} || !(size > 0)) continue;
     sum += size * std::acos(std::clamp(dot(normal, area) / size, -1.0, 1.0));
@@ -163,29 +163,17 @@ BitVolume ball_of_long_voxels() {
       });
 }
 
-struct Roundness {
-  double area = 0, volume = 0;
-  double mean_degrees = 0;  // between the normals of faces and of the ball, weighted by area
-};
+Point from_middle(const Point& at) {
+  return difference(at, middle);
+}
 
-Roundness roundness_of(const FileMesh& mesh) {
-  Roundness result;
-  double degrees = 0;
+double area_of(const FileMesh& mesh) {
+  double sum = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    const Point normal = area_vector(mesh, face);
-    const double area = std::sqrt(dot(normal, normal));
-    if (area == 0) continue;
-    Point out = {0, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        out[axis] += (mesh.vertices_mm[mesh.face(face)[i]][axis] - middle[axis]) / 3;
-    const double cosine = dot(normal, out) / (area * std::sqrt(dot(out, out)));
-    degrees += area * std::acos(std::min(1.0, std::max(-1.0, cosine))) * 180 / std::acos(-1.0);
-    result.area += area;
+    const Point area = area_vector(mesh, face);
+    sum += std::sqrt(dot(area, area));
   }
-  result.volume = volume_of(mesh);
-  result.mean_degrees = degrees / result.area;
-  return result;
+  return sum;
 }
 
 // A ball in three parts, 1, 2 and 3, with a common edge through its centre.
@@ -202,10 +190,6 @@ std::vector<int> parts_of_a_ball(int extent) {
   return labels;
 }
 
-BitVolume with_box(Size size, const Vertex& first, const Vertex& last) {
-  return discmc::reference::box(size, first, last);
-}
-
 }  // namespace
 
 TEST_CASE("the distance is that to the nearest midpoint, for any spacing and limit") {
@@ -214,7 +198,7 @@ TEST_CASE("the distance is that to the nearest midpoint, for any spacing and lim
     check_distances(discmc::reference::random({9, 8, 7}, 10, 2), {0.7, 1.1, 2.5}, limit);
     check_distances(discmc::reference::random({1, 12, 5}, 60, 3), {2, 1, 0.5}, limit);
     check_distances(discmc::reference::random({12, 1, 1}, 60, 4), {1, 2, 3}, limit);
-    check_distances(with_box({14, 13, 12}, {4, 4, 4}, {9, 8, 7}), {1, 1, 3}, limit);
+    check_distances(discmc::reference::box({14, 13, 12}, {4, 4, 4}, {9, 8, 7}), {1, 1, 3}, limit);
   }
 }
 
@@ -269,20 +253,21 @@ TEST_CASE("smoothing keeps the volume and the topology of every shape, and no tr
     CHECK(topology_of(mesh) == topology_of(build_mesh(steps.surface(), {true, Faces::triangles})));
     CHECK(volume_of(mesh) == doctest::Approx(shape.volume_mm3()).epsilon(0.005));
     CHECK(crossing_pairs(mesh) == 0);
-    if (shape.name == "ball 10") CHECK(mean_degrees(mesh, shape) < 3.2);
-    if (shape.name == "slope") CHECK(mean_degrees(mesh, shape) < 5.3);
-    if (shape.name == "ball of long voxels 15") CHECK(mean_degrees(mesh, shape) < 3.5);
-    if (shape.name == "rod of long voxels") CHECK(mean_degrees(mesh, shape) < 15);
+    const std::map<std::string, double> degrees = {{"ball 10", 3.2},
+                                                   {"slope", 5.3},
+                                                   {"ball of long voxels 15", 3.5},
+                                                   {"rod of long voxels", 15}};
+    if (const auto most = degrees.find(shape.name); most != degrees.end())
+      CHECK(mean_degrees(mesh, shape.normal) < most->second);
   }
 }
 
 TEST_CASE("a smoothed ball of voxels is round, also with voxels three times as long") {
   const BitVolume ball = ball_of_long_voxels();
-  const Roundness round = roundness_of(smoothed(ball, long_voxels, 3).mesh);
-  const double pi = std::acos(-1.0);
-  CHECK(round.mean_degrees < 3);
-  CHECK(round.area == doctest::Approx(4 * pi * radius * radius).epsilon(0.01));
-  CHECK(round.volume ==
+  const FileMesh mesh = smoothed(ball, long_voxels, 3).mesh;
+  CHECK(mean_degrees(mesh, from_middle) < 3);
+  CHECK(area_of(mesh) == doctest::Approx(4 * std::acos(-1.0) * radius * radius).epsilon(0.01));
+  CHECK(volume_of(mesh) ==
         doctest::Approx(3.0 * static_cast<double>(std::count(ball.on.begin(), ball.on.end(), 1)))
             .epsilon(0.012));
 }
@@ -291,42 +276,39 @@ TEST_CASE("every voxel stays on its side of the smooth surface, and flat faces w
   const BitVolume ball = ball_of_long_voxels();
   const std::vector<float> all = smoothed(ball, long_voxels, 3).samples;
   for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] * (ball.on[i] != 0 ? 1 : -1) >= 0.05F);
-  const BitVolume block = with_box({30, 30, 30}, {6, 6, 6}, {23, 23, 23});
+  const BitVolume block = discmc::reference::box({30, 30, 30}, {6, 6, 6}, {23, 23, 23});
   const std::vector<float> samples = smoothed(block, {1, 1, 1}, 1).samples;
   CHECK(samples[block.index(15, 15, 6)] == doctest::Approx(0.5).epsilon(0.01));
   CHECK(samples[block.index(15, 15, 5)] == doctest::Approx(-0.5).epsilon(0.01));
 }
 
-TEST_CASE("--smooth accepts a mask, a label or a threshold, and writes triangles") {
-  using command_tests::contains;
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "--smooth accepts masks, labels, thresholds, and writes triangles") {
   std::string bytes;
   for (const std::uint8_t on : ball_of_long_voxels().on) bytes += static_cast<char>(2 * on);
-  workshop.write("v.raw", bytes);
+  write("v.raw", bytes);
   const std::string volume = "extract v.raw --dims 60,60,22 --spacing 1,1,3 --type u8 -q ";
-  workshop.done(volume + "--iso 1 --smooth auto -o auto.obj");
-  const Roundness round = roundness_of(command_tests::mesh_of_obj(workshop.read("auto.obj")));
-  CHECK(round.mean_degrees < 3);
+  done(volume + "--iso 1 --smooth auto -o auto.obj");
+  CHECK(mean_degrees(mesh_in("auto.obj"), from_middle) < 3);
   for (const std::string same :
        {"--iso 1 --smooth 3", "--label 2 --smooth auto", "--range 1..9 --smooth 3.0",
         "--iso 1 --smooth auto --surface interpolated"}) {
-    workshop.done(volume + same + " -o same.obj");
-    CHECK(same_mesh(workshop.read("same.obj"), workshop.read("auto.obj")));
+    done(volume + same + " -o same.obj");
+    CHECK(same_mesh(read("same.obj"), read("auto.obj")));
   }
   for (const std::string merged : {"-o v.dmc", "-o v.jsonl", "--surface merged -o v.obj",
                                    "--faces polygons -o v.ply", "--no-conforming -o v.ply"})
-    CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto " + merged).error,
+    CHECK(contains(run(volume + "--iso 1 --smooth auto " + merged).error,
                    "--smooth: has no effect on merged polygons"));
 
-  workshop.done(volume + "--iso 1 --smooth 1e-6 -o least.obj");
+  done(volume + "--iso 1 --smooth 1e-6 -o least.obj");
   for (const std::string none : {"0", "1e-300", "9e-7", "1001"})
-    CHECK(contains(workshop.run(volume + "--iso 1 --smooth " + none + " -o v.stl").error,
+    CHECK(contains(run(volume + "--iso 1 --smooth " + none + " -o v.stl").error,
                    "invalid deviation '" + none + "'; expected auto, or 1e-6 to 1000 millimetres"));
 }
 
 TEST_CASE("a mask is cut before the rest is smoothed") {
   const BitVolume ball = ball_of_long_voxels();
-  const BitVolume half = with_box({60, 60, 22}, {0, 0, 0}, {30, 59, 21});
+  const BitVolume half = discmc::reference::box({60, 60, 22}, {0, 0, 0}, {30, 59, 21});
   BitVolume both = ball;
   for (std::size_t i = 0; i < both.on.size(); ++i)
     both.on[i] = static_cast<std::uint8_t>(both.on[i] & half.on[i]);
@@ -356,19 +338,16 @@ TEST_CASE("labels are smoothed one by one, and keep their volumes") {
   CHECK(progress == std::vector<std::size_t>{2, 1, 0});
   double all = 0;
   for (const SmoothedLabel& label : labels) {
-    const FileMesh mesh = build_mesh(label.surface.surface,
-                                     {true, Faces::triangles, &label.crossings.crossings(), 0.05});
-    const auto voxels = static_cast<double>(label.surface.voxels);
-    CHECK(volume_of(mesh) == doctest::Approx(voxels).epsilon(0.01));
-    all += volume_of(mesh);
+    const double volume = volume_of(mesh_of(label));
+    CHECK(volume == doctest::Approx(static_cast<double>(label.surface.voxels)).epsilon(0.01));
+    all += volume;
   }
   CHECK(all == doctest::Approx(static_cast<double>(samples.size()) -
                                static_cast<double>(std::count(samples.begin(), samples.end(), 0)))
                    .epsilon(0.01));
 }
 
-TEST_CASE(
-    "small labels keep their volumes, alone, beside others, inside others and in long voxels") {
+TEST_CASE("small labels keep their volumes, alone, beside and inside others, and in long voxels") {
   for (const Point& spacing : {Point{1, 1, 1}, Point{0.8, 0.8, 3}}) {
     std::vector<int> samples(40 * 30 * 24);
     const auto put = [&](int label, const std::array<int, 3>& first,
@@ -391,8 +370,7 @@ TEST_CASE(
     REQUIRE(labels.size() == 7);
     for (const SmoothedLabel& label : labels) {
       CAPTURE(label.surface.label.text());
-      const FaceMesh mesh = build_mesh(
-          label.surface.surface, {true, Faces::triangles, &label.crossings.crossings(), 0.05});
+      const FaceMesh mesh = mesh_of(label);
       CHECK(check_mesh(mesh).is_closed());
       CHECK(volume_of(mesh) == doctest::Approx(static_cast<double>(label.surface.voxels) *
                                                spacing[0] * spacing[1] * spacing[2])
@@ -433,10 +411,7 @@ TEST_CASE("labels that fill the volume to its corners each lack an equal share o
   REQUIRE(labels.size() == 2);
   std::vector<double> shares;
   for (const SmoothedLabel& label : labels)
-    shares.push_back(
-        volume_of(build_mesh(label.surface.surface,
-                             {true, Faces::triangles, &label.crossings.crossings(), 0.05})) /
-        static_cast<double>(label.surface.voxels));
+    shares.push_back(volume_of(mesh_of(label)) / static_cast<double>(label.surface.voxels));
   CHECK(shares[0] < 0.999);
   CHECK(shares[0] == doctest::Approx(shares[1]).epsilon(0.001));
 }
@@ -467,14 +442,13 @@ TEST_CASE("any number of scattered values are labels") {
 }
 
 TEST_CASE("a label in its box is smoothed as in the whole volume") {
-  const BitVolume block = with_box({40, 30, 20}, {20, 3, 2}, {33, 9, 12});
+  const BitVolume block = discmc::reference::box({40, 30, 20}, {20, 3, 2}, {33, 9, 12});
   std::vector<int> samples;
   for (const std::uint8_t on : block.on) samples.push_back(7 * on);
   SampleReader reader({40, 30, 20}, samples);
   const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, 0.05, {});
   REQUIRE(labels.size() == 1);
-  const FileMesh of_box = build_mesh(
-      labels[0].surface.surface, {true, Faces::triangles, &labels[0].crossings.crossings(), 0.05});
+  const FileMesh of_box = mesh_of(labels[0]);
   const FileMesh of_whole = smoothed(block, {1, 1, 1}, 1).mesh;
   CHECK(of_box.corners == of_whole.corners);
   REQUIRE(of_box.vertices_mm.size() == of_whole.vertices_mm.size());
@@ -491,8 +465,7 @@ TEST_CASE("labels that are side by side share their smoothed surface") {
   const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, 0.05, {});
   REQUIRE(labels.size() == 2);
   for (const SmoothedLabel& label : labels) {
-    const FileMesh mesh = build_mesh(label.surface.surface,
-                                     {true, Faces::triangles, &label.crossings.crossings(), 0.05});
+    const FileMesh mesh = mesh_of(label);
     double nearest_to_seam = 100;
     for (const Point& vertex : mesh.vertices_mm)
       nearest_to_seam = std::min(nearest_to_seam, std::fabs(vertex[0] - 16.5));
@@ -502,18 +475,15 @@ TEST_CASE("labels that are side by side share their smoothed surface") {
   }
 }
 
-TEST_CASE("--smooth with --labels writes a smooth mesh of each") {
-  const command_tests::Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "--smooth with --labels writes a smooth mesh of each") {
   std::string bytes;
   for (const int label : parts_of_a_ball(48)) bytes += static_cast<char>(label);
-  workshop.write("v.raw", bytes);
+  write("v.raw", bytes);
   const std::string extract = "extract v.raw --dims 48,48,48 --type u8 -q --smooth auto ";
-  workshop.done(extract + "--labels all -o '{name}.obj'");
-  workshop.done(extract + "--label 2 -o label.obj");
-  const FileMesh one = command_tests::mesh_of_obj(workshop.read("2.obj"));
-  const FileMesh same = command_tests::mesh_of_obj(workshop.read("label.obj"));
-  CHECK(same_mesh(workshop.read("2.obj"), workshop.read("label.obj")));
-  workshop.done(extract + "--labels 1,3 -o all.glb");
-  workshop.done(extract + "--labels 2 -o '{name}-alone.obj'");
-  CHECK(same_mesh(workshop.read("2-alone.obj"), workshop.read("label.obj")));
+  done(extract + "--labels all -o '{name}.obj'");
+  done(extract + "--label 2 -o label.obj");
+  CHECK(same_mesh(read("2.obj"), read("label.obj")));
+  done(extract + "--labels 1,3 -o all.glb");
+  done(extract + "--labels 2 -o '{name}-alone.obj'");
+  CHECK(same_mesh(read("2-alone.obj"), read("label.obj")));
 }

@@ -3,29 +3,20 @@
 
 #include <tuple>
 
-#include "hand_made.hpp"
+#include "joined_events.hpp"
 #include "oracle/normal_events.hpp"
-#include "oracle/region.hpp"
-#include "oracle/stream.hpp"
-#include "surface/surface_builder.hpp"
-#include "test.hpp"
 
 namespace {
 
-using discmc::Event;
-using discmc::Vertex;
-using discmc::command::SpillingJoiner;
-using discmc::test::EventLog;
-using discmc::test::Events;
+using namespace joined_events;
 
 constexpr std::uint64_t plenty = std::uint64_t{1} << 30;
 
-// A scan with so little memory that most regions are sent as fragments. Every run has a normal.
-Events pieces() {
-  const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
+// Every run has a normal.
+Events pieces_with_normals() {
   Events told;
   std::uint32_t number = 0;
-  for (const auto& one : discmc::test::events_of(volume, discmc::minimum_capacities())) {
+  for (const auto& one : pieces()) {
     Event event = one.event();
     event.normal = {static_cast<std::uint8_t>(1 + ++number % 255),
                     static_cast<std::uint8_t>(number / 255)};
@@ -35,30 +26,18 @@ Events pieces() {
 }
 
 Events joined(const Events& events, std::uint64_t bytes) {
-  EventLog log;
-  SpillingJoiner joiner(discmc::make_sink(log), bytes);
-  for (const auto& one : events)
-    REQUIRE(joiner.accept(one.event()) == discmc::SinkResult::accepted);
-  joiner.finish();
-  return log.events;
-}
-
-std::size_t count(const Events& events, Event::Kind kind) {
-  return static_cast<std::size_t>(std::count_if(events.begin(), events.end(),
-                                                [kind](const auto& one) { return one.is(kind); }));
+  return joined_by<discmc::command::SpillingJoiner>(events, bytes);
 }
 
 std::vector<discmc::reference::Region> regions_of(const Events& events) {
-  discmc::meshing::SurfaceBuilder builder;
-  for (const auto& one : events) builder.accept(one.event());
-  return hand_made::regions_of(builder.surface());
+  return hand_made::regions_of(built(events).surface());
 }
 
 // The starts of runs with their normals, in an order independent of the regions.
 auto normals_of(const Events& events) {
   std::vector<std::tuple<int, int, int, int, int>> normals;
   discmc::test::for_each_start(
-      events, [&](const Vertex& vertex, discmc::OctahedralNormal normal, bool) {
+      events, [&](const discmc::Vertex& vertex, discmc::OctahedralNormal normal, bool) {
         normals.emplace_back(vertex.x, vertex.y, vertex.z, normal.u, normal.v);
       });
   std::sort(normals.begin(), normals.end());
@@ -68,7 +47,7 @@ auto normals_of(const Events& events) {
 }  // namespace
 
 TEST_CASE("regions, normals and totals are the same, in memory and through a file") {
-  const Events told = pieces();
+  const Events told = pieces_with_normals();
   REQUIRE(count(told, Event::Kind::fragment) > 1000);
   const Events in_memory = joined(told, plenty);
   REQUIRE(count(in_memory, Event::Kind::fragment) == 0);
@@ -83,14 +62,14 @@ TEST_CASE("regions, normals and totals are the same, in memory and through a fil
 }
 
 TEST_CASE("the statistics of several streams through a file are their sum") {
-  Events twice = pieces();
+  Events twice = pieces_with_normals();
   const Events once = twice;
   twice.insert(twice.end(), once.begin(), once.end());
   CHECK(joined(twice, 1).back() == joined(twice, plenty).back());
 }
 
 TEST_CASE("pieces without a partner are delivered loose, through a file as well") {
-  Events told = pieces();
+  Events told = pieces_with_normals();
   const auto is_fragment = [](const auto& one) { return one.is(Event::Kind::fragment); };
   const auto first = std::find_if(told.begin(), told.end(), is_fragment);
   const auto end = std::find_if(first, told.end(),
@@ -104,7 +83,7 @@ TEST_CASE("pieces without a partner are delivered loose, through a file as well"
 }
 
 TEST_CASE("only a fragment that breaks off is lost, through a file as well") {
-  Events told = pieces();
+  Events told = pieces_with_normals();
   Event lost{};
   lost.kind = Event::Kind::lost;
   const auto is_end = [](const auto& one) { return one.is(Event::Kind::fragment_end); };

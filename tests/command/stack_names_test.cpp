@@ -4,9 +4,7 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contents;
 
-// Pictures of 8 by 6 voxels, by their names.
 class Pictures : public Folder {
  public:
   explicit Pictures(const std::vector<std::string>& names) {
@@ -17,10 +15,9 @@ class Pictures : public Folder {
 };
 
 std::uint32_t slices(const fs::path& stack) {
-  return open_volume(stack)->info().dims[2];
+  return read_info(stack).dims[2];
 }
 
-// The last text in quotes.
 std::string advised(const std::string& text) {
   const std::size_t end = text.rfind('\'');
   const std::size_t begin = text.rfind('\'', end - 1);
@@ -133,8 +130,7 @@ TEST_CASE("decimals and signs in names give the order") {
 
 TEST_CASE("a decimal missing among names is a missing slice") {
   const std::vector<std::string> names = {"s_0.0.png", "s_0.5.png", "s_1.0.png", "s_2.0.png"};
-  CHECK(read_order(names, with(&VolumeOptions::allow_gaps, true)) ==
-        std::vector<int>{0, 1, 2, 2, 3});
+  CHECK(read_order(names, gaps_allowed) == std::vector<int>{0, 1, 2, 2, 3});
   check_refused(Pictures({"s_0.0.png", "s_0.5.png", "s_1.0.png", "s_2.0.png"}).path(),
                 "between s_1.0.png and s_2.0.png");
 }
@@ -152,9 +148,9 @@ TEST_CASE("numbers beside a point are counters if they are no even decimals") {
         {"2021.03.01.png", "2021.03.02.png", "2021.03.03.png"},
         {"2021-03-01.png", "2021-03-02.png", "2021-03-03.png"}}) {
     const Pictures pictures(names);
-    const auto reader = open_volume(pictures.path());
-    CHECK(reader->info().dims[2] == names.size());
-    CHECK(!noted(reader->info(), "decimal"));
+    const VolumeInfo info = read_info(pictures.path());
+    CHECK(info.dims[2] == names.size());
+    CHECK(!noted(info, "decimal"));
   }
 }
 

@@ -53,8 +53,7 @@ TEST_CASE_FIXTURE(Workshop, "a file that is no stream is refused with the comman
     fails(arguments, 1, {"v.stl: this is a mesh, not a stream; only discmc compare"});
 }
 
-TEST_CASE_FIXTURE(
-    Workshop, "a stream of another version is refused with its version, even after lost packets") {
+TEST_CASE_FIXTURE(Workshop, "another version is refused by number, even after lost packets") {
   const Bytes stream = bytes_of(write_stream(*this, "v.dmc"));
   for (const std::uint8_t version : Bytes{0, 2, 99}) {
     const Bytes other = discmc::test::with_version(version, stream);
@@ -184,8 +183,7 @@ TEST_CASE_FIXTURE(Workshop, "render draws a picture of the size asked for") {
   CHECK(read("plain.png") != read("side.png"));
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "an incomplete stream yields all whole regions, and the exit code is 3") {
+TEST_CASE_FIXTURE(Workshop, "an incomplete stream yields all whole regions, with exit code 3") {
   const auto frames = discmc::test::frames_of(bytes_of(write_stream(*this, "v.dmc")));
   REQUIRE(frames.size() > 5);
   auto gap = frames, no_end = frames;
@@ -265,8 +263,7 @@ TEST_CASE_FIXTURE(Workshop, "damaged bytes and packets end in an exit code and n
   }
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "a stream with a late first header is re-encoded with all its regions") {
+TEST_CASE_FIXTURE(Workshop, "a stream with a late header is re-encoded with all its regions") {
   auto frames = discmc::test::frames_of(bytes_of(write_stream(*this, "v.dmc")));
   std::swap(frames[0], frames[1]);
   write("late.dmc", text_of(discmc::test::joined(frames)));

@@ -59,7 +59,6 @@ Run run(const Vertex& step, std::uint32_t length = 1) {
 
 const Vertex east = {2, 0, 0}, north = {0, 2, 0}, west = {-2, 0, 0}, south = {0, -2, 0};
 
-// A rectangle of 3 by 2 links, counter-clockwise.
 std::vector<Run> rectangle() {
   return {run(east, 3), run(north, 2), run(west, 3), run(south, 2)};
 }

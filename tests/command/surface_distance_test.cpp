@@ -5,7 +5,6 @@
 
 #include "meshes/point_distance.hpp"
 #include "oracle/stream.hpp"
-#include "oracle/volume.hpp"
 #include "sample_reader.hpp"
 #include "test.hpp"
 
@@ -13,7 +12,6 @@ namespace {
 
 using namespace discmc::meshing;
 
-// A square of this size at a height, in two triangles.
 FaceMesh square(double size, double height) {
   FaceMesh mesh;
   mesh.vertices_mm = {{0, 0, height}, {size, 0, height}, {size, size, height}, {0, size, height}};

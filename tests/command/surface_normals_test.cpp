@@ -1,7 +1,7 @@
 #include "meshes/surface_normals.hpp"
 
 #include "hand_made.hpp"
-#include "sample_reader.hpp"
+#include "oracle/angle.hpp"
 #include "sampled_field.hpp"
 #include "test.hpp"
 
@@ -10,12 +10,8 @@ namespace {
 using namespace discmc::meshing;
 using namespace hand_made;
 using discmc::reference::ball;
+using discmc::reference::degrees_between;
 using sample_reader::merged_mesh;
-
-double degrees_between(const Point& a, const Point& b) {
-  const double cosine = dot(unit_or_zero(a), unit_or_zero(b));
-  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::acos(-1.0);
-}
 
 void check_near(const Point& a, const Point& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) CHECK(std::abs(a[axis] - b[axis]) < 1e-12);
@@ -53,8 +49,7 @@ TEST_CASE("the normals of a ball are close to its radii under any stretching and
     const std::vector<Point> normals = surface_normals(mesh);
     double sum = 0, worst = 0;
     for (std::size_t i = 0; i < normals.size(); ++i) {
-      Point
-          radius{};  // of the ellipsoid: the normal of a plane scales by the inverse of the spacing
+      Point radius{};  // of the ellipsoid: a normal scales by the inverse of the spacing
       for (std::size_t axis = 0; axis < 3; ++axis)
         radius[axis] = (mesh.vertices_mm[i][axis] / spacing[axis] - 24.5) / spacing[axis];
       const double angle = degrees_between(radius, normals[i]);

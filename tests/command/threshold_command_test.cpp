@@ -4,24 +4,24 @@
 namespace {
 
 using namespace command_tests;
-using volume_files::nrrd;
 
 // Ten voxels per row: air, tissue, bone.
 std::string head(const std::string& values) {
   std::string samples;
   for (int row = 0; row < 9; ++row) samples += values;
-  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
-              "5 3 3") +
-         "\n" + samples;
+  return volume_files::text_nrrd("short", "5 3 3", samples);
 }
 
 const std::string ct = head("-1000 -1000 40 50 900 ");
 const std::string mri = head("0 10 40 500 600 ");
 
+struct Head : Workshop {
+  Head() { write("ct.nrrd", ct); }
+};
+
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop, "a named threshold yields the surface of its number, and is reported") {
-  write("ct.nrrd", ct);
+TEST_CASE_FIXTURE(Head, "a named threshold yields the surface of its number, and is reported") {
   write("mri.nrrd", mri);
   const std::array<std::string, 4> examples[] = {
       {"ct", "bone", "300", "300"},         {"ct", "skin", "-300", "-300"},
@@ -50,16 +50,14 @@ TEST_CASE_FIXTURE(Workshop, "padding excluded from Otsu's threshold is reported"
   CHECK(contains(run("extract ct.nrrd --iso auto -q -o v.stl").error, "--iso auto: 300 (bone)\n"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "named thresholds go beside numbers, and name their meshes") {
-  write("ct.nrrd", ct);
+TEST_CASE_FIXTURE(Head, "named thresholds go beside numbers, and name their meshes") {
   done("extract ct.nrrd --iso bone --iso 45 --iso auto -o '{name}.stl'");
   CHECK(file_names() == std::vector<std::string>{"45.stl", "auto.stl", "bone.stl", "ct.nrrd"});
   CHECK(read("auto.stl") == read("bone.stl"));
   CHECK(read("45.stl") != read("bone.stl"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "streams, pictures and comparisons accept named thresholds") {
-  write("ct.nrrd", ct);
+TEST_CASE_FIXTURE(Head, "streams, pictures and comparisons accept named thresholds") {
   done("extract ct.nrrd --iso skin -q -o skin.dmc");
   CHECK(info_of("skin.dmc")["threshold"] == "-300");
   done("render ct.nrrd --iso skin --size 40,40 -o named.png");
@@ -69,8 +67,7 @@ TEST_CASE_FIXTURE(Workshop, "streams, pictures and comparisons accept named thre
   CHECK(done("compare skin.dmc ct.nrrd --iso skin") == done("compare skin.dmc ct.nrrd --iso=-300"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a named threshold is refused if it cannot be found") {
-  write("ct.nrrd", ct);
+TEST_CASE_FIXTURE(Head, "a named threshold is refused if it cannot be found") {
   write("mri.nrrd", mri);
   write("flat.nrrd", head("7 7 7 7 7 "));
   const auto names = file_names();

@@ -7,12 +7,11 @@ namespace {
 
 using namespace tiff_writer;
 using namespace volume_files;
-using command_tests::contents;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/pictures";
 
 VolumeOptions chosen(std::optional<std::uint32_t> frame, std::optional<std::uint32_t> channel) {
-  VolumeOptions options = with(&VolumeOptions::frame, frame);
+  VolumeOptions options = of_frame(frame);
   options.channel = channel;
   return options;
 }
@@ -40,10 +39,16 @@ TiffWriter numbered(int pages, const std::string& description = {}, Tags more = 
   return tiff;
 }
 
-// The numbers of the pages that become slices.
+struct Tiff : Folder {
+  fs::path tiff(int pages, const std::string& description = {}, const Tags& more = {},
+                const std::string& name = "v.tif") const {
+    return write(name, numbered(pages, description, more).bytes());
+  }
+};
+
 std::vector<int> pages_read(const fs::path& file, const VolumeOptions& options = {}) {
   std::vector<int> pages;
-  const std::vector<double> samples = read_all(*open_volume(file, options));
+  const std::vector<double> samples = read_samples(file, options);
   for (std::size_t i = 0; i < samples.size(); i += 2) pages.push_back(static_cast<int>(samples[i]));
   return pages;
 }
@@ -79,16 +84,17 @@ TEST_CASE("a channel and a time of a hyperstack are chosen, in any order of its 
 }
 
 TEST_CASE("the spacing is that of OME-XML or ImageJ, in their units") {
-  check_spacing(open_volume(files / "hyperstack-tcz.ome.tif", chosen(0, 0))->info(),
-                {2.5e-3, 5e-4, 5});
-  check_spacing(open_volume(files / "hyperstack-imagej.tif", chosen(0, 0))->info(),
+  check_spacing(read_info(files / "hyperstack-tcz.ome.tif", chosen(0, 0)), {2.5e-3, 5e-4, 5});
+  check_spacing(read_info(files / "hyperstack-imagej.tif", chosen(0, 0)),
                 {0.5e-3, 0.25e-3, 2.5e-3});
+  check_spacing(read_info(files / "imagej.tif"), {0.5, 0.25, 2.5});
+  check_spacing(read_info(files / "imagej.tif", {{}, Spacing{1, 2, 3}}), {1, 2, 3});
 }
 
 TEST_CASE("pages without directories, blocks of slices, bits, halves and palettes are read") {
-  CHECK(read_all(*open_volume(files / "one-directory.tif")) == slices(0, 5));
-  CHECK(read_all(*open_volume(files / "deep-tiles1.tif")) == slices(0, 5));
-  CHECK(read_all(*open_volume(files / "deep-tiles4.tif")) == slices(0, 5));
+  CHECK(read_samples(files / "one-directory.tif") == slices(0, 5));
+  CHECK(read_samples(files / "deep-tiles1.tif") == slices(0, 5));
+  CHECK(read_samples(files / "deep-tiles4.tif") == slices(0, 5));
   check_refused(files / "deep-strips.tif", "several slices (ImageDepth) in strips");
 
   const auto palette = open_volume(files / "palette.tif");
@@ -103,7 +109,7 @@ TEST_CASE("pages without directories, blocks of slices, bits, halves and palette
 
   const auto halves = open_volume(files / "f16.tif");
   CHECK(halves->info().type == SampleType::f32);
-  CHECK(read_all(*halves) == read_all(*open_volume(files / "f32.tif")));
+  CHECK(read_all(*halves) == read_samples(files / "f32.tif"));
 }
 
 TEST_CASE("a channel of a colour TIFF is chosen") {
@@ -111,7 +117,7 @@ TEST_CASE("a channel of a colour TIFF is chosen") {
     INFO(name);
     check_refused(files / name, "3 channels ('red', 'green', 'blue')");
     for (const int channel : {0, 1, 2})
-      CHECK(read_all(*open_volume(files / name, chosen({}, channel))) == slices(channel, 1));
+      CHECK(read_samples(files / name, chosen({}, channel)) == slices(channel, 1));
   }
 }
 
@@ -136,11 +142,10 @@ std::string refusal_of(const std::string& xml, int pages = 4, const VolumeOption
   return refusal(folder.write("v.ome.tif", numbered(pages, xml).bytes()), options);
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "OME-XML without a unit is in micrometres, and an invalid length is noted") {
+TEST_CASE_FIXTURE(Tiff, "OME-XML without a unit is in micrometres; invalid ones are noted") {
   const auto info_of = [this](const std::string& sizes) {
     const auto xml = ome(image(four_slices + " " + sizes));
-    return open_volume(write("v.tif", numbered(4, xml).bytes()))->info();
+    return read_info(tiff(4, xml));
   };
   check_spacing(info_of("PhysicalSizeX=\"2\" PhysicalSizeY=\"3\" PhysicalSizeZ=\"4\""),
                 {2e-3, 3e-3, 4e-3});
@@ -152,9 +157,9 @@ TEST_CASE_FIXTURE(Folder,
   check_spacing(without_z, {2e-3, 2e-3, 2e-3});
 }
 
-TEST_CASE_FIXTURE(Folder, "TiffData elements order the pages") {
+TEST_CASE_FIXTURE(Tiff, "TiffData elements order the pages") {
   const auto pages_of = [this](const std::string& data) {
-    return pages_read(write("v.tif", numbered(4, ome(image(four_slices, data))).bytes()));
+    return pages_read(tiff(4, ome(image(four_slices, data))));
   };
   CHECK(pages_of("") == Pages{0, 1, 2, 3});
   CHECK(pages_of("<TiffData IFD=\"0\" PlaneCount=\"4\"/>") == Pages{0, 1, 2, 3});
@@ -273,7 +278,7 @@ TEST_CASE_FIXTURE(Folder, "OME-TIFF that names files out of its folder is refuse
 
 VolumeInfo info_of(const TiffWriter& tiff, const VolumeOptions& options = {}) {
   const Folder folder;
-  return open_volume(folder.write("v.tif", tiff.bytes()), options)->info();
+  return read_info(folder.write("v.tif", tiff.bytes()), options);
 }
 
 // A pixel is four units.
@@ -308,8 +313,7 @@ TEST_CASE("ImageJ's units are read as it writes them") {
   check_spacing(flat, {4, 4, 1});
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "pages behind the only directory of ImageJ are read, and missing ones reported") {
+TEST_CASE_FIXTURE(Tiff, "pages behind ImageJ's only directory are read or reported missing") {
   const auto file = [this](const std::string& promised, const std::string& behind) {
     return write("v.tif",
                  TiffWriter()
@@ -324,29 +328,21 @@ TEST_CASE_FIXTURE(Folder,
         Pages{2});
   check_refused(file("images=2000\nslices=2000\n", two_pages),
                 "the description promises 2000 planes, and the file holds ");
-  check_refused(write("w.tif", numbered(2, "ImageJ=1\nimages=3\n").bytes()),
-                "promises 3 planes, and the file holds 2");
-  check_refused(write("w.tif", numbered(4, "ImageJ=1\nimages=3\n").bytes()),
-                "promises 3 planes, and the file holds 4");
-  check_refused(write("w.tif", numbered(3, "ImageJ=1\nslices=0\n").bytes()), "slices is '0'");
+  check_refused(tiff(2, "ImageJ=1\nimages=3\n"), "promises 3 planes, and the file holds 2");
+  check_refused(tiff(4, "ImageJ=1\nimages=3\n"), "promises 3 planes, and the file holds 4");
+  check_refused(tiff(3, "ImageJ=1\nslices=0\n"), "slices is '0'");
 }
 
-TEST_CASE_FIXTURE(Folder, "the times of a series are not read as slices") {
-  const fs::path file = write("v.tif", numbered(3, "ImageJ=1\nimages=3\nframes=3\n").bytes());
+TEST_CASE_FIXTURE(Tiff, "the times of a series are not read as slices") {
+  const fs::path file = tiff(3, "ImageJ=1\nimages=3\nframes=3\n");
   check_refused(file, "the file holds 3 volumes of one slice each");
   check_refused(file, "if they are slices, give --axes zyx");
   CHECK(pages_read(file, chosen(1, {})) == Pages{1});
 }
 
-VolumeOptions with_axes(const std::string& axes, VolumeOptions options = {}) {
-  options.axes = axes;
-  return options;
-}
-
-TEST_CASE_FIXTURE(Folder,
-                  "--axes names the axis of the pages, as the refusal of single slices advises") {
+TEST_CASE_FIXTURE(Tiff, "--axes names the axis of the pages, as the refusal advises") {
   for (const std::string stack : {"channels=4\n", "frames=4\n", "channels=2\nframes=2\n"}) {
-    const fs::path file = write("v.tif", numbered(4, "ImageJ=1\nimages=4\n" + stack).bytes());
+    const fs::path file = tiff(4, "ImageJ=1\nimages=4\n" + stack);
     check_refused(file, "of one slice each, and one is read at a time");
     check_refused(file, "the first is 0; if they are slices, give --axes zyx");
     CHECK(pages_read(file, with_axes("zyx")) == Pages{0, 1, 2, 3});
@@ -367,18 +363,15 @@ TEST_CASE("ImageJ's linear calibration and origin are applied") {
       of_four_units));
   CHECK(info.slope == 1);
   CHECK(info.intercept == -32768);
-  REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == Spacing{-32, 0, -2});
+  check_origin(info, {-32, 0, -2});
   CHECK(noted(info_of(numbered(3, "ImageJ=1\nimages=3\ncf=3\n")),
               "its calibration function '3' is not supported"));
 }
 
 // ---- tifffile ----
 
-TEST_CASE_FIXTURE(Folder, "tifffile's shape determines the axes, with or without letters") {
-  const auto file = [this](const std::string& description) {
-    return write("v.tif", numbered(4, description).bytes());
-  };
+TEST_CASE_FIXTURE(Tiff, "tifffile's shape determines the axes, with or without letters") {
+  const auto file = [this](const std::string& description) { return tiff(4, description); };
   CHECK(pages_read(file("{\"shape\": [4, 1, 2]}")) == Pages{0, 1, 2, 3});
   CHECK(pages_read(file("{\"shape\": [4, 1, 2, 1]}")) == Pages{0, 1, 2, 3});
   CHECK(pages_read(file("shape=(4, 1, 2)")) == Pages{0, 1, 2, 3});
@@ -394,8 +387,7 @@ TEST_CASE_FIXTURE(Folder, "tifffile's shape determines the axes, with or without
   CHECK(pages_read(file("{\"shape\": 9}")) == Pages{0, 1, 2, 3});
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "pages that are an array each are slices, and arrays of several pages volumes") {
+TEST_CASE_FIXTURE(Folder, "one-page arrays are slices, and arrays of several pages volumes") {
   TiffWriter planes;
   for (int i = 0; i < 3; ++i)
     planes.page(2, 1, std::string(2, static_cast<char>(i)),
@@ -415,9 +407,8 @@ TEST_CASE_FIXTURE(Folder, "files with several slices each are one volume only wi
   write("a/t2.tif", numbered(4, ome(image(four_slices))).bytes());
   check_refused(path() / "a", "2 files, of which 't1.tif' alone has 4 slices",
                 "--axes zyx if their slices are those of one volume");
-  VolumeOptions options;
-  options.axes = "zyx";
-  CHECK(open_volume(path() / "a", options)->info().dims[2] == 8);
+  VolumeOptions options = with_axes("zyx");
+  CHECK(read_info(path() / "a", options).dims[2] == 8);
 }
 
 // ---- other tags ----
@@ -445,7 +436,7 @@ TEST_CASE("bytes behind the only page are noted, unless they may be metadata") {
   CHECK(!notes_much(0));
 }
 
-TEST_CASE_FIXTURE(Folder, "a page whose rows begin at the bottom or right is not mirrored") {
+TEST_CASE_FIXTURE(Tiff, "a page whose rows begin at the bottom or right is not mirrored") {
   const std::vector<std::pair<std::uint32_t, Spacing>> cases = {
       {1, {1, 1, 1}}, {2, {-1, 1, 1}}, {3, {-1, -1, 1}}, {4, {1, -1, 1}}};
   for (const auto& [orientation, signs] : cases) {
@@ -453,7 +444,7 @@ TEST_CASE_FIXTURE(Folder, "a page whose rows begin at the bottom or right is not
     CHECK(info.spacing_mm == signs);
     CHECK(noted(info, "(Orientation)") == (orientation != 1));
   }
-  check_refused(write("v.tif", numbered(2, "", {{tag::orientation, whole({6})}}).bytes()),
+  check_refused(tiff(2, "", {{tag::orientation, whole({6})}}),
                 "its rows are columns (Orientation 6)");
 }
 
@@ -469,8 +460,7 @@ TEST_CASE("a resolution that is not used is noted, with how to use it") {
   CHECK(info_of(numbered(2, "", of_a_print), options).notes.empty());
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "pages of different sizes, types, resolutions, colours or directions are refused") {
+TEST_CASE_FIXTURE(Folder, "pages that differ in size, type, resolution or colour are refused") {
   const auto refusal_with = [this](const Tags& more, const VolumeOptions& options = {}) {
     Tags first = of_four_units;
     return refusal(
@@ -493,14 +483,14 @@ TEST_CASE_FIXTURE(
       "another resolution than v.tif; if its voxels have the same size, give --spacing X,Y,Z");
   VolumeOptions options;
   options.spacing_mm = {1, 1, 1};
-  CHECK(open_volume(path() / "v.tif", options)->info().dims[2] == 2);
+  CHECK(read_info(path() / "v.tif", options).dims[2] == 2);
 }
 
 TEST_CASE_FIXTURE(Folder, "samples packed in bits are unpacked, the highest bit first") {
   const auto values_of = [this](std::uint32_t bits, const std::string& row) {
     const fs::path file =
         write("v.tif", TiffWriter().page(3, 1, row, {{tag::bits, whole({bits})}}).bytes());
-    return read_all(*open_volume(file));
+    return read_samples(file);
   };
   CHECK(values_of(1, "\xa0") == std::vector<double>{1, 0, 1});
   CHECK(values_of(2, "\xe4") == std::vector<double>{3, 2, 1});
@@ -527,24 +517,22 @@ TEST_CASE_FIXTURE(Folder, "a palette of greys is read as greys") {
   CHECK(!noted(reader->info(), "palette"));
 }
 
-TEST_CASE_FIXTURE(Folder, "pages of ScanImage are slices only by its metadata or on request") {
+TEST_CASE_FIXTURE(Tiff, "pages of ScanImage are slices only by its metadata or on request") {
   constexpr std::uint16_t software = 305;
   const auto write_slices = [&](const std::string& slices) {
     const Tags more = {{software, text("SI.VERSION_MAJOR = 2020\nSI.hChannels.channelSave = [1;2]\n"
                                        "SI.hStackManager.numSlices = " +
                                        slices + "\n")}};
-    return write("v.tif", numbered(4, "", more).bytes());
+    return tiff(4, "", more);
   };
   check_refused(write_slices("2"),
                 "its 4 pages are not one slice each: ScanImage also stores channels");
-  CHECK(open_volume(write_slices("2"), with(&VolumeOptions::axes, "zyx"))->info().dims[2] == 4);
-  CHECK(open_volume(write_slices("4"))->info().dims[2] == 4);
+  CHECK(read_info(write_slices("2"), with_axes("zyx")).dims[2] == 4);
+  CHECK(read_info(write_slices("4")).dims[2] == 4);
 }
 
-TEST_CASE_FIXTURE(Folder, "TIFF variants with another layout or encoding are refused by name") {
-  const auto refusal_with = [this](const Tags& more) {
-    return refusal(write("v.tif", numbered(2, "", more).bytes()));
-  };
+TEST_CASE_FIXTURE(Tiff, "TIFF variants with another layout or encoding are refused by name") {
+  const auto refusal_with = [this](const Tags& more) { return refusal(tiff(2, "", more)); };
   check_refusal(refusal_with({{34412, whole({1, 2})}}), "this is Zeiss LSM");
   check_refusal(refusal_with({{33629, whole({1, 2, 3})}}), "this is MetaMorph STK");
   check_refusal(refusal_with({{34361, whole({1})}}), "this is Olympus FluoView");

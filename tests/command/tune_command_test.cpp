@@ -1,10 +1,8 @@
 // discmc tune: the cost of a volume on a device, and the code for its firmware.
 #include <discmc/extractor.hpp>
 #include <discmc/slice_encoder.hpp>
-#include <sstream>
 
 #include "command.hpp"
-#include "oracle/volume.hpp"
 
 namespace {
 
@@ -34,7 +32,6 @@ std::vector<std::string> words_of(const std::string& text, const std::string& be
   return {};
 }
 
-// The text from a heading to the next one.
 std::string code_of(const std::string& report, const std::string& heading) {
   const std::size_t at = report.find("---- " + heading + " ----\n");
   REQUIRE(at != std::string::npos);
@@ -110,8 +107,7 @@ TEST_CASE_FIXTURE(Ball, "the code that tune prints names the parts of the surfac
   }
 }
 
-TEST_CASE_FIXTURE(Ball,
-                  "the code that tune prints names the value of the file that its threshold is") {
+TEST_CASE_FIXTURE(Ball, "the code that tune prints names its threshold's value in the file") {
   const auto samples = volume_files::stored(volume_files::SampleType::u8);
   write("scaled.nii", volume_files::Nifti().scale(2, -1000).file(samples));
   const std::string scaled = done("tune scaled.nii --iso=-900");

@@ -64,8 +64,7 @@ TEST_CASE("vertices that are added are numbered in the order in which they come 
   CHECK(numbers.positions() == std::vector<Vertex>{{1, 2, 4}, {-1, 3, -1}, {1, 2, 2}});
 }
 
-TEST_CASE(
-    "the corners of polygons have a number for each vertex, and keep it when more are added") {
+TEST_CASE("corners of polygons have a number per vertex, and keep it when more are added") {
   constexpr std::int32_t near = 20, far = 2000000000;  // a slot per block, and a hash table
   for (const std::int32_t z_of_some : {near, far}) {
     CAPTURE(z_of_some);

@@ -93,8 +93,7 @@ TEST_CASE_FIXTURE(Ball, "the page of a stream contains its bytes, even those of 
   CHECK(read("inside.dmc") == read("cut.dmc"));
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "the page of labels has their meshes, with names and colours, in space") {
+TEST_CASE_FIXTURE(Workshop, "the page of labels has their placed meshes, names and colours") {
   write_in_space(*this);
   if (!has_page(*this)) return;
   write("t.txt", "10 air 0 0 255\n200 \"my bone\" 255 0 0\n");
@@ -162,8 +161,7 @@ TEST_CASE_FIXTURE(Ball, "view refuses to overwrite files or ignore options, and 
   CHECK(read("v.html") == "precious");
 }
 
-TEST_CASE_FIXTURE(Workshop,
-                  "a volume too large for a browser is refused with the options that shrink it") {
+TEST_CASE_FIXTURE(Workshop, "a volume too large for a browser is refused with the remedy") {
   write("zeros", "");
   const Result result = shell(
       "truncate -s 268500992 zeros; \"$discmc\" view zeros --dims 4097,256,256 --type u8 "

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <system_error>
 
@@ -15,12 +16,14 @@
 namespace volume_files {
 
 namespace fs = std::filesystem;
+using discmc::Space;
 using discmc::command::open_volume;
 using discmc::command::RawLayout;
 using discmc::command::VolumeError;
 using discmc::command::VolumeInfo;
 using discmc::command::VolumeOptions;
 using discmc::command::VolumeReader;
+using discmc::meshing::Axes;
 using discmc::meshing::SampleGrid;
 using discmc::meshing::SampleType;
 using discmc::meshing::SliceReader;
@@ -33,6 +36,23 @@ template <class Member, class Value>
 VolumeOptions with(Member VolumeOptions::*member, const Value& value, VolumeOptions options = {}) {
   options.*member = value;
   return options;
+}
+
+inline VolumeOptions of_frame(std::optional<std::uint32_t> frame) {
+  return with(&VolumeOptions::frame, frame);
+}
+inline VolumeOptions of_channel(std::optional<std::uint32_t> channel) {
+  return with(&VolumeOptions::channel, channel);
+}
+inline VolumeOptions with_axes(const std::string& axes, const VolumeOptions& options = {}) {
+  return with(&VolumeOptions::axes, axes, options);
+}
+inline const VolumeOptions gaps_allowed = with(&VolumeOptions::allow_gaps, true);
+
+inline std::string replaced_all(std::string text, const std::string& old, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+    text.replace(at, old.size(), by);
+  return text;
 }
 
 /// A test's own folder, removed at its end.
@@ -59,6 +79,15 @@ class Folder {
  private:
   fs::path path_;
 };
+
+inline std::string contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 enum class Wrapper { zlib = 15, gzip = 31 };
 
@@ -144,10 +173,22 @@ inline std::string stored(SampleType type, bool is_big_endian = false) {
   return bytes;
 }
 
+inline const std::string u8 = stored(SampleType::u8);
+
 inline std::string nrrd(const std::string& lines, const std::string& sizes = "5 3 4") {
   return "NRRD0004\n# a comment\nkey:=value\ndimension: " +
          std::to_string(std::count(sizes.begin(), sizes.end(), ' ') + 1) + "\nsizes: " + sizes +
          "\n" + lines;
+}
+
+// Samples as text, with a distance of this many millimetres.
+inline std::string text_nrrd(const std::string& type, const std::string& sizes,
+                             const std::string& samples, const std::string& spacing = "1") {
+  const std::string spacings = "spacings: " + spacing + " " + spacing + " " + spacing + "\n";
+  return nrrd("type: " + type + "\nencoding: ascii\n" + spacings +
+                  "units: \"mm\" \"mm\" \"mm\"\nspace units: \"mm\" \"mm\" \"mm\"\n",
+              sizes) +
+         "\n" + samples;
 }
 
 inline std::string metaimage(const std::string& lines, const std::string& sizes = "5 3 4") {
@@ -189,6 +230,11 @@ class Nifti {
   }
   Nifti& type(int datatype) { return integer(70, 2, datatype); }
   Nifti& scale(float slope, float intercept) { return real(112, slope).real(116, intercept); }
+  // Also declares the rows srow_x, srow_y and srow_z valid.
+  Nifti& sform(const std::vector<float>& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) real(280 + 4 * i, rows[i]);
+    return integer(254, 2, 1);
+  }
   Nifti& pair() {
     bytes_.replace(344, 3, "ni1");
     return real(108, 0);
@@ -228,26 +274,45 @@ inline std::vector<double> read_all(SliceReader& reader) {
   return samples;
 }
 
+inline std::vector<double> read_samples(const fs::path& file, const VolumeOptions& options = {}) {
+  return read_all(*open_volume(file, options));
+}
+
+inline VolumeInfo read_info(const fs::path& file, const VolumeOptions& options = {}) {
+  return open_volume(file, options)->info();
+}
+
+// The samples of the test volume.
+inline std::vector<double> samples_as(SampleType type) {
+  std::vector<double> samples;
+  for (int voxel = 0; voxel < voxels; ++voxel) samples.push_back(sample_at(voxel, type));
+  return samples;
+}
+
 inline void check_volume(const fs::path& file, SampleType type, const std::string& format,
                          const VolumeOptions& options = {}) {
   INFO(file.filename().string(), " as ", format);
   const auto reader = open_volume(file, options);
-  CHECK(reader->info().dims == std::array<std::uint32_t, 3>{5, 3, 4});
+  CHECK(reader->info().dims == Dims{5, 3, 4});
   CHECK(reader->info().type == type);
   CHECK(reader->info().format == format);
-  std::vector<double> expected;
-  for (int voxel = 0; voxel < voxels; ++voxel) expected.push_back(sample_at(voxel, type));
-  CHECK(read_all(*reader) == expected);
+  CHECK(read_all(*reader) == samples_as(type));
+}
+
+// Checks the volume of u8.
+inline void check_volume(const fs::path& file, const std::string& format,
+                         const VolumeOptions& options = {}) {
+  check_volume(file, SampleType::u8, format, options);
 }
 
 // Opens and reads a volume that should be refused. Returns the message.
 inline std::string refusal(const fs::path& file, const VolumeOptions& options = {}) {
   try {
-    read_all(*open_volume(file, options));
+    read_samples(file, options);
   } catch (const VolumeError& error) {
     const std::string text = error.what();
-    CHECK(text.find(file.stem().string()) != std::string::npos);
-    CHECK(text.find("; ") != std::string::npos);
+    CHECK(contains(text, file.stem().string()));
+    CHECK(contains(text, "; "));
     return text;
   }
   FAIL("not refused: ", file.string());
@@ -257,8 +322,7 @@ inline std::string refusal(const fs::path& file, const VolumeOptions& options = 
 template <class... Parts>
 void check_refusal(const std::string& text, const Parts&... parts) {
   INFO(text);
-  for (const std::string& part : {std::string(parts)...})
-    CHECK(text.find(part) != std::string::npos);
+  for (const std::string& part : {std::string(parts)...}) CHECK(contains(text, part));
 }
 
 // Checks that a volume is refused with a message that contains all parts.
@@ -271,10 +335,24 @@ void check_refused(const fs::path& file, const std::string& part, const Parts&..
   check_refusal(refusal(file), part, parts...);
 }
 
+inline void check_origin(const VolumeInfo& info, const Vector& origin) {
+  REQUIRE(info.placement);
+  CHECK(info.placement->origin_mm == origin);
+}
+
+inline void check_grid(const VolumeInfo& info, const Spacing& spacing, const Vector& origin) {
+  CHECK(info.spacing_mm == spacing);
+  check_origin(info, origin);
+}
+
+inline void check_axes(const VolumeInfo& info, const Axes& axes, const Vector& origin) {
+  check_origin(info, origin);
+  CHECK(info.placement->axes_mm == axes);
+}
+
 inline bool noted(const VolumeInfo& info, const std::string& part) {
-  for (const auto& note : info.notes)
-    if (note.find(part) != std::string::npos) return true;
-  return false;
+  return std::any_of(info.notes.begin(), info.notes.end(),
+                     [&](const std::string& note) { return contains(note, part); });
 }
 
 }  // namespace volume_files

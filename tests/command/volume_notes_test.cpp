@@ -6,8 +6,6 @@ namespace {
 using namespace volume_files;
 using Notes = std::vector<std::string>;
 
-const std::string u8 = stored(SampleType::u8);
-
 const std::string no_spacing = "no spacing given, 1 mm assumed";
 const std::string no_axes =
     "the axes are not named; read as array[z][y][x]; to read others, give --axes, such as xyz";
@@ -72,15 +70,13 @@ TEST_CASE_FIXTURE(Folder, "a spacing that is given leaves no note of a missing o
             .empty());
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "bytes behind the samples are noted, and compressed ones once they are reached") {
+TEST_CASE_FIXTURE(Folder, "bytes behind the samples are noted, compressed ones when reached") {
   const std::string behind = " bytes after the samples are left out; check the sizes";
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1\n" + units_in_mm);
-  const auto whole = open_volume(write("v.nrrd", head + "\n" + u8 + "1234567"));
-  CHECK(noted(whole->info(), "7" + behind));
+  const VolumeInfo whole = read_info(write("v.nrrd", head + "\n" + u8 + "1234567"));
+  CHECK(noted(whole, "7" + behind));
   write("header+data", "header" + u8);
-  CHECK(
-      noted(open_volume(write("v.nhdr", head + "data file: header+data\n"))->info(), "6" + behind));
+  CHECK(noted(read_info(write("v.nhdr", head + "data file: header+data\n")), "6" + behind));
   const auto packed = open_volume(write("v.nrrd.gz", gzip(head + "\n" + u8 + "7")));
   CHECK(packed->notes().empty());
   read_all(*packed);
@@ -89,8 +85,7 @@ TEST_CASE_FIXTURE(Folder,
   CHECK(notes_of(write("v.nrrd.gz", gzip(head + "\n" + u8))).empty());
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "surplus bytes of a file with several volumes are noted only behind the last one") {
+TEST_CASE_FIXTURE(Folder, "surplus bytes are noted only behind the last of several volumes") {
   VolumeOptions options;
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1 1\n" + units_in_mm, "5 3 4 2") + "\n";
   for (const std::uint32_t frame : {0U, 1U}) {

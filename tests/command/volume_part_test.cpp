@@ -2,11 +2,9 @@
 #include <discmc/front/downsampler.hpp>
 #include <discmc/front/row_cropper.hpp>
 
-#include <random>
 #include <string_view>
 
 #include "volume_files.hpp"
-#include "volumes/volume.hpp"
 
 namespace {
 
@@ -80,8 +78,7 @@ Sample shrunk_block(const std::vector<Sample>& samples, SampleType type,
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder,
-                  "a crop keeps the voxels of its ranges, the ends too, of samples of every type") {
+TEST_CASE_FIXTURE(Folder, "a crop keeps its ranges with their ends, of samples of every type") {
   for (const auto& [called, type] : discmc::command::sample_types) {
     const std::string_view name = called;
     INFO(name);
@@ -99,19 +96,19 @@ TEST_CASE_FIXTURE(Folder,
 }
 
 TEST_CASE_FIXTURE(Folder, "an omitted end is that of the volume") {
-  const auto file = write("v.raw", stored(SampleType::u8));
-  const auto whole = read_all(*open_volume(file, options_of(SampleType::u8)));
+  const auto file = write("v.raw", u8);
+  const auto whole = read_samples(file, options_of(SampleType::u8));
   const auto all = open_volume(file, with_crop(options_of(SampleType::u8), Crop{}));
   CHECK(all->info().dims == dims);
   CHECK_FALSE(all->info().placement);
   CHECK(read_all(*all) == whole);
   const Crop last_two = {{{}, {}, {2, {}}}};
-  const auto rest = read_all(*open_volume(file, with_crop(options_of(SampleType::u8), last_two)));
+  const auto rest = read_samples(file, with_crop(options_of(SampleType::u8), last_two));
   CHECK(rest == std::vector<double>(whole.begin() + 30, whole.end()));
 }
 
 TEST_CASE_FIXTURE(Folder, "a part outside the volume is refused with the extents of the volume") {
-  const auto file = write("v.raw", stored(SampleType::u8));
+  const auto file = write("v.raw", u8);
   const auto refused = [&](const Crop& crop) {
     return refusal(file, with_crop(options_of(SampleType::u8), crop));
   };
@@ -122,36 +119,36 @@ TEST_CASE_FIXTURE(Folder, "a part outside the volume is refused with the extents
 }
 
 TEST_CASE_FIXTURE(Folder, "slices behind the part are not read") {
-  const std::string cut = nrrd(nrrd_u8) + "\n" + stored(SampleType::u8).substr(0, 46);
+  const std::string cut = nrrd(nrrd_u8) + "\n" + u8.substr(0, 46);
   const auto file = write("v.nrrd", cut);
-  CHECK(read_all(*open_volume(file, with_crop({}, {{{}, {}, {1, 2}}}))).size() == 30);
+  CHECK(read_samples(file, with_crop({}, {{{}, {}, {1, 2}}})).size() == 30);
   check_refused(file, with_crop({}, {{{}, {}, {1, 3}}}), "14 bytes of it are missing");
 }
 
 TEST_CASE_FIXTURE(Folder, "the voxels of a part keep their position in space") {
   for (const std::string& lines : placements) {
     INFO(lines);
-    const auto file = write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + stored(SampleType::u8));
-    const VolumeInfo whole = open_volume(file)->info();
-    check_places(open_volume(file, with_crop({}, middle))->info(), whole, {1, 1, 0}, 1);
-    check_places(open_volume(file, with_crop({}, Crop{}))->info(), whole, {0, 0, 0}, 1);
-    check_places(open_volume(file, with_shrink({}, 2))->info(), whole, {0.5, 0.5, 0.5}, 2);
-    check_places(open_volume(file, with_shrink({}, 3))->info(), whole, {1, 1, 1}, 3);
-    const VolumeInfo both = open_volume(file, with_shrink(with_crop({}, middle), 3))->info();
+    const auto file = write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8);
+    const VolumeInfo whole = read_info(file);
+    check_places(read_info(file, with_crop({}, middle)), whole, {1, 1, 0}, 1);
+    check_places(read_info(file, with_crop({}, Crop{})), whole, {0, 0, 0}, 1);
+    check_places(read_info(file, with_shrink({}, 2)), whole, {0.5, 0.5, 0.5}, 2);
+    check_places(read_info(file, with_shrink({}, 3)), whole, {1, 1, 1}, 3);
+    const VolumeInfo both = read_info(file, with_shrink(with_crop({}, middle), 3));
     check_places(both, whole, {2, 2, 1}, 3);
     CHECK(both.whole_dims == dims);
-    CHECK((both.placement ? both.placement->space : discmc::Space::scanner) ==
-          (whole.placement ? whole.placement->space : discmc::Space::scanner));
+    CHECK((both.placement ? both.placement->space : Space::scanner) ==
+          (whole.placement ? whole.placement->space : Space::scanner));
   }
 }
 
 TEST_CASE_FIXTURE(Folder, "a given spacing applies to the voxels before shrinking") {
   VolumeOptions options = with_shrink(with_crop(options_of(SampleType::u8), middle), 2);
   options.spacing_mm = {0.5, 2, 3};
-  const auto file = write("v.raw", stored(SampleType::u8));
+  const auto file = write("v.raw", u8);
   VolumeInfo whole;
   whole.spacing_mm = {0.5, 2, 3};
-  check_places(open_volume(file, options)->info(), whole, {1.5, 1.5, 0.5}, 2);
+  check_places(read_info(file, options), whole, {1.5, 1.5, 0.5}, 2);
 }
 
 TEST_CASE_FIXTURE(Folder, "a block becomes the mean of its samples, also if the border cuts it") {
@@ -200,7 +197,7 @@ TEST_CASE_FIXTURE(Folder, "a block becomes the mean of its samples, also if the 
 TEST_CASE_FIXTURE(Folder, "a device that crops or averages has the voxels of --crop and --shrink") {
   using namespace discmc;
   const auto file = write("v.raw", stored(SampleType::i16));
-  const auto whole = read_all(*open_volume(file, options_of(SampleType::i16)));
+  const auto whole = read_samples(file, options_of(SampleType::i16));
   const std::vector<std::int16_t> samples(whole.begin(), whole.end());
   const Limits limits{dims[0], dims[1]};
 
@@ -209,7 +206,7 @@ TEST_CASE_FIXTURE(Folder, "a device that crops or averages has the voxels of --c
   std::vector<double> part;
   for (auto row = samples.begin(); row != samples.end(); row += dims[0])
     if (cropper.next()) part.insert(part.end(), row + cropper.first(), row + cropper.first() + 3);
-  CHECK(part == read_all(*open_volume(file, with_crop(options_of(SampleType::i16), middle))));
+  CHECK(part == read_samples(file, with_crop(options_of(SampleType::i16), middle)));
 
   for (const std::uint32_t extent : {2U, 3U}) {
     std::vector<std::uint8_t> memory(Downsampler<std::int16_t>::bytes_for(limits, extent));
@@ -221,7 +218,7 @@ TEST_CASE_FIXTURE(Folder, "a device that crops or averages has the voxels of --c
       if (const std::int16_t* row = means.push(&samples[at]))
         blocks.insert(blocks.end(), row, row + width);
     while (const std::int16_t* row = means.drain()) blocks.insert(blocks.end(), row, row + width);
-    CHECK(blocks == read_all(*open_volume(file, with_shrink(options_of(SampleType::i16), extent))));
+    CHECK(blocks == read_samples(file, with_shrink(options_of(SampleType::i16), extent)));
   }
 }
 
@@ -271,8 +268,7 @@ TEST_CASE("a block of labels becomes the most frequent one, of several the first
   CHECK(label({40000, 40000, 40000, 40000, 40000, 40000, 40000, 40000}) == 40000);
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a block has a label of its own voxels, even if the border cuts the block") {
+TEST_CASE_FIXTURE(Folder, "a block has a label of its own voxels, even at the border") {
   // Blocks of 2 x 2 x 2, each with its number as a label, and one voxel of another label.
   const Dims size = {5, 3, 3};
   std::vector<std::uint8_t> labels;
@@ -290,8 +286,7 @@ TEST_CASE_FIXTURE(Folder,
 }
 
 TEST_CASE_FIXTURE(Folder, "voxels that would be too large to place are refused") {
-  const auto file =
-      write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 1 1e6\n") + "\n" + stored(SampleType::u8));
+  const auto file = write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 1 1e6\n") + "\n" + u8);
   check_refused(file, with_shrink({}, 2), "1e6 mm apart; give the distances");
-  CHECK(open_volume(file, with_crop({}, middle))->info().dims == Dims{3, 2, 3});
+  CHECK(read_info(file, with_crop({}, middle)).dims == Dims{3, 2, 3});
 }

@@ -6,8 +6,6 @@ namespace {
 
 using namespace volume_files;
 
-const std::string u8 = stored(SampleType::u8);
-
 std::string vtk(const std::string& lines) {
   return "# vtk DataFile Version 3.0\nof the test\nBINARY\n" + lines;
 }
@@ -24,14 +22,12 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be scalars, colours or a field, and
   const std::string field = "POINT_DATA 60\nFIELD FieldData 1\na 1 60 unsigned_char\n";
   const std::string colours = "POINT_DATA 60\nCOLOR_SCALARS a 1\n";
   for (const std::string& array : {scalars, field, colours}) {
-    check_volume(write("v.vtk", vtk(image + array + u8)), SampleType::u8, "VTK, raw");
+    check_volume(write("v.vtk", vtk(image + array + u8)), "VTK, raw");
     check_volume(write("v", vtk(image + "METADATA\nINFORMATION 0\n\n" + array + u8 + "\n")),
-                 SampleType::u8, "VTK, raw");
+                 "VTK, raw");
   }
-  const auto info =
-      open_volume(write("v.vtk", vtk(image + "ORIGIN 7 8 -9\n" + scalars + u8)))->info();
-  REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == Vector{7, 8, -9});
+  const auto info = read_info(write("v.vtk", vtk(image + "ORIGIN 7 8 -9\n" + scalars + u8)));
+  check_origin(info, {7, 8, -9});
 }
 
 TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
@@ -39,7 +35,7 @@ TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
   const std::string eight = std::string("\0\12 3\4\5\6\7", 8);  // with a line break in it
   const std::string field = "FIELD FieldData 2\nTIME 1 1 double\n" + eight + "\n" + metadata +
                             "N 2 1 int\n" + eight + "\n";
-  check_volume(write("v.vtk", vtk(field + image + scalars + u8)), SampleType::u8, "VTK, raw");
+  check_volume(write("v.vtk", vtk(field + image + scalars + u8)), "VTK, raw");
   check_refused(write("v.vtk", vtk("FIELD FieldData 1\nTIME 1 -1 double\n" + image + scalars + u8)),
                 "the field's line 'TIME 1 -1 double' is not that of an array");
   const std::string header = "# vtk DataFile Version 3.0\n\nASCII\n";
@@ -47,7 +43,7 @@ TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
   for (const char sample : u8) text += std::to_string(static_cast<unsigned char>(sample)) + ' ';
   check_volume(write("v.vtk", header + "FIELD FieldData 1\nTIME 1 3 double\n1 2\n3\n" + image +
                                   scalars + text),
-               SampleType::u8, "VTK, text");
+               "VTK, text");
 }
 
 TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars is a channel") {
@@ -57,13 +53,12 @@ TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars i
       samples += each;
       text += std::to_string(static_cast<unsigned char>(each)) + ' ';
     }
-  VolumeOptions options;
-  options.channel = 1;
+  VolumeOptions options = of_channel(1);
   for (const std::string& array :
        {std::string("VECTORS v unsigned_char\n"), std::string("COLOR_SCALARS c 3\n"),
         std::string("SCALARS a unsigned_char 3\nLOOKUP_TABLE t\n")}) {
     const auto file = write("v.vtk", vtk(image + "POINT_DATA 60\n" + array + samples));
-    const auto read = read_all(*open_volume(file, options));
+    const auto read = read_samples(file, options);
     REQUIRE(read.size() == voxels);
     for (std::size_t i = 0; i < read.size(); ++i)
       CHECK(read[i] == (static_cast<unsigned char>(u8[i]) ^ 1));
@@ -71,7 +66,7 @@ TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars i
   options.channel = 0;
   const std::string header = "# vtk DataFile Version 3.0\n\nASCII\n" + image;
   check_volume(write("v.vtk", header + "POINT_DATA 60\nVECTORS v unsigned_char\n" + text),
-               SampleType::u8, "VTK, text", options);
+               "VTK, text", options);
 }
 
 TEST_CASE_FIXTURE(Folder, "VTK's samples may be cell data, at the centres between points") {
@@ -79,8 +74,8 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be cell data, at the centres betwee
       "DATASET STRUCTURED_POINTS\nDIMENSIONS 6 4 5\nSPACING 1 2 3\nORIGIN 7 8 -9\nCELL_DATA 60\n"
       "SCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
   const auto file = write("v.vtk", vtk(cells + u8));
-  check_volume(file, SampleType::u8, "VTK, raw");
-  CHECK(open_volume(file)->info().placement->origin_mm == Vector{7.5, 9, -7.5});
+  check_volume(file, "VTK, raw");
+  CHECK(read_info(file).placement->origin_mm == Vector{7.5, 9, -7.5});
 }
 
 TEST_CASE_FIXTURE(Folder, "unsupported legacy VTK is refused by name") {
@@ -110,10 +105,10 @@ TEST_CASE_FIXTURE(Folder, "an array of NumPy has x along contiguous samples") {
   const std::string fortran = "{'descr': '|u1', 'fortran_order': True, 'shape': (5, 3, 4), }\n";
   const auto c_file = write("c.npy", numpy(c_order) + u8);
   const auto fortran_file = write("fortran.npy", numpy(fortran) + u8);
-  check_volume(c_file, SampleType::u8, "NumPy");
-  check_volume(fortran_file, SampleType::u8, "NumPy");
-  CHECK(noted(open_volume(fortran_file)->info(), "read as array[x][y][z]"));
-  CHECK(noted(open_volume(c_file)->info(), "no spacing given"));
+  check_volume(c_file, "NumPy");
+  check_volume(fortran_file, "NumPy");
+  CHECK(noted(read_info(fortran_file), "read as array[x][y][z]"));
+  CHECK(noted(read_info(c_file), "no spacing given"));
 }
 
 TEST_CASE_FIXTURE(Folder, "unsupported NumPy is refused by name") {
@@ -134,13 +129,9 @@ TEST_CASE_FIXTURE(Folder, "unsupported NumPy is refused by name") {
 TEST_CASE_FIXTURE(Folder, "a project of InVesalius is upside down, and read from files only") {
   const fs::path project = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes" /
                            "invesalius" / "i16-little.inv3";
-  CHECK(open_volume(project)->info().spacing_mm == Spacing{0.5, -0.75, 2});
-  CHECK(noted(open_volume(project)->info(), "y runs backwards"));
-  std::string bytes;
-  {
-    std::ifstream in(project, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(in), {});
-  }
+  CHECK(read_info(project).spacing_mm == Spacing{0.5, -0.75, 2});
+  CHECK(noted(read_info(project), "y runs backwards"));
+  std::string bytes = contents(project);
   check_refused(write("v.inv3", bytes.substr(0, 700)), "no whole file main.plist");
   check_refused(write("v.inv3", "nothing"), "no whole file main.plist");
   const std::size_t type = bytes.find("int16");

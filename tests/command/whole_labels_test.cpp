@@ -6,7 +6,6 @@
 namespace {
 
 using namespace volume_files;
-using command_tests::contains;
 using discmc::command::BlockValue;
 
 struct Read {
@@ -76,8 +75,7 @@ TEST_CASE("integer samples are kept as labels unchanged") {
     if (discmc::meshing::is_floating(type)) continue;
     const Read read = read_labels(stored(type), {RawLayout{{5, 3, 4}, type}});
     CHECK(read.info.type == type);
-    for (int voxel = 0; voxel < voxels; ++voxel)
-      CHECK(read.labels[static_cast<std::size_t>(voxel)] == sample_at(voxel, type));
+    CHECK(read.labels == samples_as(type));
   }
 }
 

@@ -1,11 +1,7 @@
 // Zarr and OME-Zarr: the choice of the array, its orientation, and the storage of its chunks.
 // The test container_table reads the files of zarr in Python and of zarrita.
-#include <archive.h>
-#include <archive_entry.h>
-
-#include <fstream>
-
 #include "command.hpp"
+#include "zip_files.hpp"
 
 namespace {
 
@@ -30,8 +26,6 @@ std::string dataset(const std::string& path, const std::string& scale,
          "]}";
 }
 
-const std::string u8 = stored(SampleType::u8);
-
 struct ZarrFolder : Folder {
   const fs::path array = path() / "array.zarr", image = path() / "image.zarr";
 
@@ -54,17 +48,16 @@ struct ZarrFolder : Folder {
   }
 };
 
-TEST_CASE_FIXTURE(ZarrFolder,
-                  "the finest of several levels is read, or a chosen one, with its own scale") {
+TEST_CASE_FIXTURE(ZarrFolder, "the finest or the chosen level is read with its own scale") {
   const fs::path ome = path() / "image.ome.zarr";
   write_image(ome, zyx_axes,
               dataset("full", "[2000, 750, 500]") + ", " + dataset("half", "[4000, 1500, 1000]"));
   write_array(ome / "full", {4, 3, 5}, u8);
   write_array(ome / "half", {2, 2, 3}, std::string(12, '\7'));
-  check_volume(ome, SampleType::u8, "OME-Zarr, level 0 of 2");
-  const auto reader = open_volume(ome);
-  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2});
-  CHECK(reader->info().notes.empty());
+  check_volume(ome, "OME-Zarr, level 0 of 2");
+  const VolumeInfo info = read_info(ome);
+  CHECK(info.spacing_mm == Spacing{0.5, 0.75, 2});
+  CHECK(info.notes.empty());
   VolumeOptions options = with(&VolumeOptions::level, 1);
   const auto half = open_volume(ome, options);
   CHECK(half->info().format == "OME-Zarr, level 1 of 2");
@@ -73,9 +66,9 @@ TEST_CASE_FIXTURE(ZarrFolder,
   options.level = 2;
   check_refused(ome, options, "no level 2: the image has 2; choose one with --level 0 to 1");
   // Also by the folder of its array, which is then a level of the image.
-  check_volume(ome / "full", SampleType::u8, "OME-Zarr, level 0 of 2");
-  check_volume(ome / "full" / "", SampleType::u8, "OME-Zarr, level 0 of 2");
-  CHECK(open_volume(ome / "half")->info().spacing_mm == Spacing{1, 1.5, 4});
+  check_volume(ome / "full", "OME-Zarr, level 0 of 2");
+  check_volume(ome / "full" / "", "OME-Zarr, level 0 of 2");
+  CHECK(read_info(ome / "half").spacing_mm == Spacing{1, 1.5, 4});
 }
 
 TEST_CASE_FIXTURE(
@@ -89,14 +82,14 @@ TEST_CASE_FIXTURE(
   }
   write_image(image, zyx_axes, dataset("a/full", "[1, 1, 1]"));
   write_array(image / "a" / "full", {4, 3, 5}, u8);
-  check_volume(image, SampleType::u8, "OME-Zarr");
+  check_volume(image, "OME-Zarr");
 }
 
 TEST_CASE_FIXTURE(ZarrFolder, "a level whose slices are too large is passed over") {
   write_image(image, zyx_axes, dataset("0", "[1, 1, 1]") + ", " + dataset("1", "[4, 3, 5]"));
   write_array(image / "0", {4, 3, 40000}, u8);
   write_array(image / "1", {4, 3, 5}, u8);
-  check_volume(image, SampleType::u8, "OME-Zarr, level 1 of 2");
+  check_volume(image, "OME-Zarr, level 1 of 2");
   check_refused(image, with(&VolumeOptions::level, 0), "size 40000, outside 1 to 32766");
 }
 
@@ -106,38 +99,34 @@ TEST_CASE_FIXTURE(ZarrFolder, "scales and translations of a level and of all lev
       dataset("0", "[2, 1, 1]", R"(, {"type": "translation", "translation": [10, 20, 30]})"),
       R"(, "coordinateTransformations": [{"type": "scale", "scale": [1000, 1000, 500]}])");
   write_array(image / "0", {4, 3, 5}, u8);
-  const auto reader = open_volume(image);
-  CHECK(reader->info().spacing_mm == Spacing{0.5, 1, 2});
-  REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->origin_mm == Vector{15, 20, 10});
+  const VolumeInfo info = read_info(image);
+  check_grid(info, {0.5, 1, 2}, {15, 20, 10});
 }
 
-TEST_CASE_FIXTURE(ZarrFolder,
-                  "each axis has its own unit, and a missing or unknown unit is noted") {
+TEST_CASE_FIXTURE(ZarrFolder, "each axis has its unit, and a missing or unknown one is noted") {
   write_array(image / "0", {4, 3, 5}, u8);
   write_image(
       image,
       R"([{"name": "z", "type": "space", "unit": "nanometer"},)"
       R"( {"name": "y", "type": "space", "unit": "parsec"}, {"name": "x", "type": "space"}])",
       dataset("0", "[4000000, 2, 3]"));
-  const auto reader = open_volume(image);
-  CHECK(reader->info().spacing_mm == Spacing{3, 2, 4});
-  CHECK(noted(reader->info(), "no unit of length given, mm assumed"));
-  CHECK(noted(reader->info(), "unit 'parsec' is unknown, mm assumed"));
+  const VolumeInfo info = read_info(image);
+  CHECK(info.spacing_mm == Spacing{3, 2, 4});
+  CHECK(noted(info, "no unit of length given, mm assumed"));
+  CHECK(noted(info, "unit 'parsec' is unknown, mm assumed"));
 }
 
-TEST_CASE_FIXTURE(ZarrFolder,
-                  "a time and a channel are chosen, by the names that the file has for them") {
+TEST_CASE_FIXTURE(ZarrFolder, "a time and a channel are chosen, with the file's names") {
   write_image(
       image,
       R"([{"name": "t", "type": "time"}, {"name": "c", "type": "channel"},)" + zyx_axes.substr(1),
       dataset("0", "[1, 1, 2000, 750, 500]"));
   const std::string other(60, '\1');
   write_array(image / "0", {2, 2, 4, 3, 5}, other + other + other + u8);
-  VolumeOptions options = with(&VolumeOptions::frame, 1);
+  VolumeOptions options = of_frame(1);
   check_refused(image, options, "holds 2 channels, and one is read at a time");
   options.channel = 1;
-  check_volume(image, SampleType::u8, "OME-Zarr", options);
+  check_volume(image, "OME-Zarr", options);
   options.frame.reset();
   check_refused(image, options, "holds 2 volumes");
 
@@ -147,12 +136,11 @@ TEST_CASE_FIXTURE(ZarrFolder,
   options.channel.reset();
   check_refused(image, options, "holds 2 channels ('DAPI', 'GFP')");
   options.channel = 1;
-  check_volume(image, SampleType::u8, "OME-Zarr", options);
-  CHECK(noted(open_volume(image, options)->info(), "no spacing given, 1 mm assumed"));
+  check_volume(image, "OME-Zarr", options);
+  CHECK(noted(read_info(image, options), "no spacing given, 1 mm assumed"));
 }
 
-TEST_CASE_FIXTURE(ZarrFolder,
-                  "missing chunks have the fill value, but at least one chunk must exist") {
+TEST_CASE_FIXTURE(ZarrFolder, "missing chunks have the fill value, but one chunk must exist") {
   const auto write_metadata = [this](const std::string& dtype, const std::string& fill) {
     write(array / ".zarray",
           R"({"zarr_format": 2, "shape": [2, 3, 4], "chunks": [1, 2, 3], "dtype": ")" + dtype +
@@ -161,12 +149,12 @@ TEST_CASE_FIXTURE(ZarrFolder,
   write_metadata("<i2", "-7");
   check_refused(array, "the array has no chunk");
   write(array / "1.1.1", std::string("\1\0\2\0\3\0\4\0\5\0\6\0", 12));
-  const auto samples = read_all(*open_volume(array));
+  const auto samples = read_samples(array);
   std::vector<double> expected(24, -7);
   expected[23] = 1;  // the rest of the chunk lies outside
   CHECK(samples == expected);
   write_metadata("<f2", "\"NaN\"");
-  CHECK(std::isnan(read_all(*open_volume(array))[0]));
+  CHECK(std::isnan(read_samples(array)[0]));
   write_metadata("<i2", "\"words\"");
   check_refused(array, "the fill value '\"words\"' is not a sample");
 }
@@ -184,22 +172,21 @@ TEST_CASE_FIXTURE(ZarrFolder, "labels of 64 bits keep all their bits") {
 
 TEST_CASE_FIXTURE(ZarrFolder, "axes are named by the array, by xarray or by --axes") {
   write_array(array, {4, 3, 5, 1}, u8);
-  check_volume(array, SampleType::u8, "Zarr");
-  CHECK(noted(open_volume(array)->info(), "axes of size 1 are dropped"));
+  check_volume(array, "Zarr");
+  CHECK(noted(read_info(array), "axes of size 1 are dropped"));
   write_array(array, {4, 3, 5}, u8);
   write(array / ".zattrs", R"({"_ARRAY_DIMENSIONS": ["x", "y", "z"]})");
-  CHECK(open_volume(array)->info().dims == Dims{4, 3, 5});
-  VolumeOptions options = with(&VolumeOptions::axes, "zyx");
-  check_volume(array, SampleType::u8, "Zarr", options);
+  CHECK(read_info(array).dims == Dims{4, 3, 5});
+  VolumeOptions options = with_axes("zyx");
+  check_volume(array, "Zarr", options);
   options.axes = "xzy";
-  const auto samples = read_all(*open_volume(array, options));
+  const auto samples = read_samples(array, options);
   CHECK(samples[1] == sample_at(15, SampleType::u8));     // the next chunk along x
   CHECK(samples[4] == sample_at(1, SampleType::u8));      // along y
   CHECK(samples[4 * 5] == sample_at(5, SampleType::u8));  // along z
 }
 
-TEST_CASE_FIXTURE(ZarrFolder,
-                  "coordinates of xarray place an array, and its fill value is outside") {
+TEST_CASE_FIXTURE(ZarrFolder, "xarray's coordinates place an array; its fill value is outside") {
   const fs::path group = path() / "v.zarr";
   write(group / ".zgroup", R"({"zarr_format": 2})");
   write_array(group / "density", {4, 3, 5}, u8);
@@ -209,17 +196,15 @@ TEST_CASE_FIXTURE(ZarrFolder,
   write_array(group / "y", {3}, std::string("\7\5\3", 3));
   write(group / "y/.zattrs", R"({"units": "mm"})");
   write_array(group / "x", {4}, std::string("\1\2\3\4", 4));  // of another array
-  const VolumeInfo info = open_volume(group)->info();
-  CHECK(info.spacing_mm == Spacing{1, -2, 0.003});
-  REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == Vector{0, 7, 0.002});
+  const VolumeInfo info = read_info(group);
+  check_grid(info, {1, -2, 0.003}, {0, 7, 0.002});
   CHECK(noted(info, "no spacing of axis 1 given"));
 
-  std::string json = command_tests::contents(group / "density/.zarray");
+  std::string json = contents(group / "density/.zarray");
   const std::string none = R"("fill_value": 0)";
   json.replace(json.find(none), none.size(), R"("fill_value": 8)");
   write(group / "density/.zarray", json);
-  const auto samples = read_all(*open_volume(group));
+  const auto samples = read_samples(group);
   CHECK(samples[1] == 4);
   CHECK(std::isnan(samples[2]));
   write_array(group / "z", {4}, std::string("\2\5\10\20", 4));
@@ -238,42 +223,23 @@ TEST_CASE("reading continues in the middle of a chunk after a skip") {
   CHECK_THROWS_WITH_AS(reader->skip_slice(), doctest::Contains("all 4 slices"), VolumeError);
 }
 
-TEST_CASE_FIXTURE(
-    ZarrFolder,
-    "a group is read like the only array or image in it, and of several one is chosen") {
+TEST_CASE_FIXTURE(ZarrFolder, "a group is read like its only array or image") {
   const fs::path group = path() / "group.zarr";
   write(group / ".zgroup", R"({"zarr_format": 2})");
   write(group / "OME/.zgroup", R"({"zarr_format": 2})");
   check_refused(group, "the group holds no array");
   write_image(group / "0", zyx_axes, dataset("0", "[2000, 750, 500]"));
   write_array(group / "0/0", {4, 3, 5}, u8);
-  check_volume(group, SampleType::u8, "OME-Zarr");
-  check_volume(group / ".zgroup", SampleType::u8, "OME-Zarr");
+  check_volume(group, "OME-Zarr");
+  check_volume(group / ".zgroup", "OME-Zarr");
   write_array(group / "1", {4, 3, 5}, u8);
   check_refused(group, "holds several images or arrays: 0, 1; choose one by its folder");
 }
 
 TEST_CASE_FIXTURE(ZarrFolder, "a zip of Zarr is read like its folder") {
   for (const std::string inside : {"", "image.zarr/"}) {
-    const fs::path file = path() / "image.zarr.zip";
-    archive* writer = archive_write_new();
-    archive_write_set_format_zip(writer);
-    REQUIRE(archive_write_open_filename(writer, file.c_str()) == ARCHIVE_OK);
-    const fs::path source = files / "i16-big-chunks.zarr";
-    for (const auto& entry : fs::recursive_directory_iterator(source)) {
-      if (!entry.is_regular_file()) continue;
-      const std::string bytes = command_tests::contents(entry.path());
-      archive_entry* member = archive_entry_new();
-      archive_entry_set_pathname(member,
-                                 (inside + fs::relative(entry.path(), source).string()).c_str());
-      archive_entry_set_filetype(member, AE_IFREG);
-      archive_entry_set_size(member, static_cast<la_int64_t>(bytes.size()));
-      REQUIRE(archive_write_header(writer, member) == ARCHIVE_OK);
-      archive_write_data(writer, bytes.data(), bytes.size());
-      archive_entry_free(member);
-    }
-    archive_write_close(writer);
-    archive_write_free(writer);
+    const auto file =
+        write("image.zarr.zip", zip(members_of(files / "i16-big-chunks.zarr", inside)));
     check_volume(file, SampleType::i16, "OME-Zarr, zip");
   }
 }
@@ -309,11 +275,11 @@ TEST_CASE_FIXTURE(ZarrFolder, "chunks truncated at any byte are refused") {
     const fs::path original = files / name;
     const fs::path copied = fs::path(name).begin()->string();
     fs::copy(files / copied, path() / copied, fs::copy_options::recursive);
-    const std::string bytes = command_tests::contents(original);
+    const std::string bytes = contents(original);
     for (std::size_t size = 0; size < bytes.size(); size += 5) {
       INFO(name, " cut at ", size);
       write(path() / name, bytes.substr(0, size));
-      CHECK_THROWS_AS(read_all(*open_volume(path() / copied)), VolumeError);
+      CHECK_THROWS_AS(read_samples(path() / copied), VolumeError);
     }
   }
 }
@@ -360,24 +326,21 @@ std::string shard_codec(bool has_index_at_start, bool has_checksum) {
          (has_index_at_start ? "start" : "end") + R"("}}])";
 }
 
-TEST_CASE_FIXTURE(
-    ZarrFolder,
-    "chunks in shards are read, with their index at either end, and missing ones filled") {
+TEST_CASE_FIXTURE(ZarrFolder, "shards are read with their index at either end") {
   for (const bool has_index_at_start : {false, true})
     for (const bool has_checksum : {false, true}) {
       write(array / "zarr.json",
             array_json("[4, 3, 5]", shard_codec(has_index_at_start, has_checksum)));
       write(array / "c/0/0/0", shard(true, has_index_at_start, has_checksum));
-      check_volume(array, SampleType::u8, "Zarr");
+      check_volume(array, "Zarr");
       write(array / "c/0/0/0", shard(false, has_index_at_start, has_checksum));
-      const auto samples = read_all(*open_volume(array));
+      const auto samples = read_samples(array);
       CHECK(samples[29] == 255);
       CHECK(samples[30] == sample_at(30, SampleType::u8));
     }
 }
 
-TEST_CASE_FIXTURE(
-    ZarrFolder, "a fill value of xarray may be in base64, and _Unsigned sets the sign of samples") {
+TEST_CASE_FIXTURE(ZarrFolder, "xarray's fill value may be base64; _Unsigned sets the sign") {
   const auto write_with = [this](const std::string& attributes) {
     const std::string json = array_json("[4, 3, 5]", "[" + bytes_codec + "]");
     write(array / "zarr.json",
@@ -386,15 +349,15 @@ TEST_CASE_FIXTURE(
   write(array / "c/0/0/0", u8);
   for (const std::string eight : {R"("AAAAAAAAIEA=")", "8"}) {
     write_with(R"({"_FillValue": )" + eight + "}");
-    const auto samples = read_all(*open_volume(array));
+    const auto samples = read_samples(array);
     CHECK(samples[1] == 4);
     CHECK(std::isnan(samples[2]));
     CHECK(samples[3] == 12);
   }
   write_with(R"({"_FillValue": "AAAAAAAAIE?="})");
-  CHECK(read_all(*open_volume(array))[2] == 8);
+  CHECK(read_samples(array)[2] == 8);
   write_with(R"({"_Unsigned": "false"})");
-  CHECK(read_all(*open_volume(array))[59] == sample_at(59, SampleType::u8) - 256);
+  CHECK(read_samples(array)[59] == sample_at(59, SampleType::u8) - 256);
 }
 
 TEST_CASE_FIXTURE(ZarrFolder, "a shard with a wrong index or checksum is refused") {
@@ -403,20 +366,19 @@ TEST_CASE_FIXTURE(ZarrFolder, "a shard with a wrong index or checksum is refused
   for (std::size_t size = 0; size < bytes.size(); size += 9) {
     INFO("cut to the last ", size);
     write(array / "c/0/0/0", bytes.substr(bytes.size() - size));
-    CHECK_THROWS_AS(read_all(*open_volume(array)), VolumeError);
+    CHECK_THROWS_AS(read_samples(array), VolumeError);
   }
   bytes[70] = static_cast<char>(bytes[70] ^ 1);
   write(array / "c/0/0/0", bytes);
   check_refused(array, "its checksum is wrong");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder,
-                  "a checksum after a chunk is verified, and keys of version 2 are read") {
+TEST_CASE_FIXTURE(ZarrFolder, "a chunk's checksum is verified, and keys of version 2 are read") {
   const std::string keys = R"({"name": "v2", "configuration": {"separator": "."}})";
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "crc32c"}])", keys));
   write(array / "0.0.0", u8 + bytes_of(crc32c(u8)));
-  check_volume(array, SampleType::u8, "Zarr");
+  check_volume(array, "Zarr");
   write(array / "0.0.0", u8 + bytes_of(crc32c(u8) + 1));
   check_refused(array, "its checksum is wrong");
 }
@@ -451,10 +413,10 @@ TEST_CASE_FIXTURE(ZarrFolder, "filters that shuffle, add up and round are undone
   const auto values_of = [&](const std::string& filters, const std::string& samples,
                              const std::string& dtype) {
     write_array(array, {1, 2, 2}, samples, dtype);
-    std::string json = command_tests::contents(array / ".zarray");
+    std::string json = contents(array / ".zarray");
     json.replace(json.find("null}"), 4, "[" + filters + "]");
     write(array / ".zarray", json);
-    return read_all(*open_volume(array));
+    return read_samples(array);
   };
   CHECK(values_of(R"({"id": "shuffle", "elementsize": 2})", std::string("\1\2\3\4\0\1\0\1", 8),
                   "<u2") == std::vector<double>{1, 258, 3, 260});
@@ -471,13 +433,13 @@ TEST_CASE_FIXTURE(ZarrFolder, "filters that shuffle, add up and round are undone
 TEST_CASE_FIXTURE(ZarrFolder, "labels of OME-Zarr have their names and colours") {
   const fs::path nuclei = path() / "nuclei";
   write_image(nuclei, zyx_axes, dataset("0", "[1, 1, 1]"));
-  std::string json = command_tests::contents(nuclei / ".zattrs");
+  std::string json = contents(nuclei / ".zattrs");
   json.insert(1, R"("image-label": {"colors": [{"label-value": 3, "rgba": [255, 0, 0, 255]},
     {"label-value": 4, "rgba": [1, 2]}], "properties": [{"label-value": 3, "name": "left"},
     {"label-value": 700, "class": "right"}]}, )");
   write(nuclei / ".zattrs", json);
   write_array(nuclei / "0", {4, 3, 5}, u8);
-  const auto labels = open_volume(nuclei)->info().labels;
+  const auto labels = read_info(nuclei).labels;
   REQUIRE(labels.size() == 2);
   CHECK(labels[0].name == "left");
   REQUIRE(labels[0].colour);
@@ -494,7 +456,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "labels that lie beside the samples of an image ar
   VolumeOptions options;
   for (const bool holds_labels : {false, true}) {
     options.holds_labels = holds_labels;
-    CHECK(noted(open_volume(scan, options)->info(), "its labels lie in ") == holds_labels);
+    CHECK(noted(read_info(scan, options), "its labels lie in ") == holds_labels);
   }
 }
 

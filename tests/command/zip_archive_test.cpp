@@ -1,48 +1,12 @@
 // Archives of zip: their DICOM files and pictures are read as from a folder.
-#include <archive.h>
-#include <archive_entry.h>
-
-#include <cstdlib>
-
 #include "command.hpp"
+#include "zip_files.hpp"
 
 namespace {
 
 using namespace volume_files;
-using command_tests::contains;
-using command_tests::contents;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
-
-using Members = std::vector<std::pair<std::string, std::string>>;
-
-std::string zip(const Members& members) {
-  std::string bytes(1 << 20, '\0');
-  std::size_t used = 0;
-  archive* const writer = archive_write_new();
-  archive_write_set_format_zip(writer);
-  archive_write_open_memory(writer, bytes.data(), bytes.size(), &used);
-  for (const auto& [name, content] : members) {
-    archive_entry* const entry = archive_entry_new();
-    archive_entry_set_pathname(entry, name.c_str());
-    archive_entry_set_size(entry, static_cast<la_int64_t>(content.size()));
-    archive_entry_set_filetype(entry, AE_IFREG);
-    REQUIRE(archive_write_header(writer, entry) == ARCHIVE_OK);
-    archive_write_data(writer, content.data(), content.size());
-    archive_entry_free(entry);
-  }
-  archive_write_free(writer);
-  bytes.resize(used);
-  return bytes;
-}
-
-Members members_of(const fs::path& folder, const std::string& prefix) {
-  Members members;
-  for (const auto& entry : fs::directory_iterator(folder))
-    members.emplace_back(prefix + entry.path().filename().string(), contents(entry.path()));
-  std::sort(members.begin(), members.end());
-  return members;
-}
 
 // Sets the folder for temporary files during the lifetime of this object; other programs use
 // another one.
@@ -75,22 +39,22 @@ TEST_CASE_FIXTURE(Folder, "a zip is read like the folder that was packed, for an
   for (const fs::path& packed : {files / "dicom/series", files / "pictures/stack"})
     for (const std::string prefix : {"", "study/a/", "/", "../../"}) {
       INFO(packed.string(), ", prefix ", prefix);
-      const auto unpacked = open_volume(packed);
+      const VolumeInfo unpacked = read_info(packed);
       // Recognised by its name, and by its first bytes.
       for (const std::string name : {"study.ZIP", "study"}) {
         const auto reader = open_volume(write(name, zip(members_of(packed, prefix))));
-        CHECK(reader->info().format == unpacked->info().format + ", zip");
-        CHECK(reader->info().dims == unpacked->info().dims);
-        CHECK(reader->info().placement == unpacked->info().placement);
+        CHECK(reader->info().format == unpacked.format + ", zip");
+        CHECK(reader->info().dims == unpacked.dims);
+        CHECK(reader->info().placement == unpacked.placement);
         CHECK(temporary.folders_of_zips() == 1);
-        CHECK(read_all(*reader) == read_all(*open_volume(packed)));
+        CHECK(read_all(*reader) == read_samples(packed));
       }
     }
   CHECK(temporary.folders_of_zips() == 0);
 }
 
 TEST_CASE("other files in a zip are ignored, and names may be in any language") {
-  const std::size_t slices = open_volume(files / "pictures/stack")->info().dims[2];
+  const std::size_t slices = read_info(files / "pictures/stack").dims[2];
   for (const std::string folder : {"Sch\xC3\xA4"
                                    "del/",
                                    "\xE5\xA4\xB4/\xC3\xA9/", "a\x1B[1m/"}) {
@@ -101,29 +65,28 @@ TEST_CASE("other files in a zip are ignored, and names may be in any language") 
     members.emplace_back(".DS_Store", "layout");
     members.emplace_back("README.txt", "read me");
     const Folder place;
-    CHECK(open_volume(place.write("study.zip", zip(members)))->info().dims[2] == slices);
+    CHECK(read_info(place.write("study.zip", zip(members))).dims[2] == slices);
   }
   Members series = members_of(files / "dicom/series", "s/");
   series.back().first =
       "Sch\xC3\xA4"
       "del";
   const Folder place;
-  CHECK(open_volume(place.write("study.zip", zip(series)))->info().dims[2] == series.size());
+  CHECK(read_info(place.write("study.zip", zip(series))).dims[2] == series.size());
   series.emplace_back("preview.png", "of the first slice");
-  CHECK(noted(open_volume(place.write("with-picture.zip", zip(series)))->info(),
+  CHECK(noted(read_info(place.write("with-picture.zip", zip(series))),
               "such as 'preview.png'; to read them, give a pattern, such as '"));
 }
 
-TEST_CASE_FIXTURE(Folder,
-                  "a pattern selects files in a zip, as the refusal of two stacks advises") {
+TEST_CASE_FIXTURE(Folder, "a pattern selects files in a zip, as the refusal advises") {
   const std::string picture = contents(files / "pictures/u8.png");
   Members members;
   for (const std::string name : {"z0_c0.png", "z0_c1.png", "z1_c0.png", "z1_c1.png", "z2_c0.png"})
     members.emplace_back("scan/" + name, picture);
   const std::string packed = write("scan.zip", zip(members)).string();
   check_refused(packed, "such as '" + packed + "/scan/*_c0.png'");
-  CHECK(open_volume(packed + "/scan/*_c0.png")->info().dims[2] == 3);
-  CHECK(open_volume(packed + "/scan/z0*.png")->info().format == "PNG, zip");
+  CHECK(read_info(packed + "/scan/*_c0.png").dims[2] == 3);
+  CHECK(read_info(packed + "/scan/z0*.png").format == "PNG, zip");
   CHECK_THROWS_AS(open_volume(packed + "/none/*.png"), VolumeError);
   // So is the note about one slice.
   const auto slice = open_volume(packed + "/scan/z2*.png");

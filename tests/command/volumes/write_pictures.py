@@ -32,11 +32,7 @@ def main(folder):
     PIL.Image.fromarray(u8[0]).convert("LA").save(folder / "alpha.png")
     PIL.Image.fromarray(u8[0]).convert("P").save(folder / "palette.png")
     PIL.Image.fromarray((u8[0] % 2 * 255).astype(numpy.uint8)).convert("1").save(folder / "bits.png")
-    types = {"u8": u8, "u16": u16, "i16": volume.astype(numpy.int16),
-             "i32": (volume * 70000).astype(numpy.int32),
-             "u32": ((volume + 2000) * 70000).astype(numpy.uint32),
-             "f32": (volume / 4).astype(numpy.float32), "f64": volume / 10}
-    for name, samples in types.items():
+    for name, samples in ("u8", u8), ("u16", u16), ("f32", (volume / 4).astype(numpy.float32)):
         tifffile.imwrite(folder / f"{name}.tif", samples[:5], photometric="minisblack",
                          metadata=None)
     tifffile.imwrite(folder / "big-endian.tif", u16[:5], photometric="minisblack", byteorder=">",

@@ -58,6 +58,15 @@ def orders(name):
     return ['little'] if name in ('u8', 'i8') else ['little', 'big']
 
 
+def ordered_samples():
+    """Returns all types and byte orders, with the volume."""
+    return [(name, order, in_order(samples(name), order)) for name in TYPES for order in orders(name)]
+
+
+def in_order(array, order):
+    return array.astype(array.dtype.newbyteorder('>' if order == 'big' else '<'))
+
+
 def path(container, name):
     folder = HERE / container
     folder.mkdir(exist_ok=True)
@@ -198,21 +207,15 @@ def write_vti(name, order, encoding, is_packed):
 
 
 def write_numpy():
-    for name in TYPES:
-        for order in orders(name):
-            array = samples(name)
-            array = array.astype(array.dtype.newbyteorder('>' if order == 'big' else '<'))
-            numpy.save(path('numpy', f'{name}-{order}.npy'), array)
+    for name, order, array in ordered_samples():
+        numpy.save(path('numpy', f'{name}-{order}.npy'), array)
     numpy.save(path('numpy', 'i16-little-fortran.npy'), samples('i16').T)
     numpy.save(path('numpy', 'i16-little-frame1.npy'), two_frames(samples('i16')))
 
 
 def write_npz():
-    for name in TYPES:
-        for order in orders(name):
-            array = samples(name)
-            array = array.astype(array.dtype.newbyteorder('>' if order == 'big' else '<'))
-            numpy.savez(path('npz', f'{name}-{order}.npz'), volume=array, table=numpy.zeros((2, 3)))
+    for name, order, array in ordered_samples():
+        numpy.savez(path('npz', f'{name}-{order}.npz'), volume=array, table=numpy.zeros((2, 3)))
     numpy.savez_compressed(path('npz', 'i16-little-deflate.npz'), samples('i16'))
     numpy.savez(path('npz_arrays', 'several.npz'), scan=samples('u8'), truth=samples('u8') >= 100,
                 slice=samples('u8')[1], words=numpy.array(['scans', 'and']))
@@ -231,9 +234,8 @@ def write_mgh():
 def write_mrc():
     for name in ('i8', 'i16', 'u16', 'f32'):
         for order in ('little', 'big'):
-            dtype = samples(name).dtype.newbyteorder('>' if order == 'big' else '<')
             with mrcfile.new(path('mrc', f'{name}-{order}.mrc'), overwrite=True) as file:
-                file.set_data(samples(name).astype(dtype))
+                file.set_data(in_order(samples(name), order))
                 file.voxel_size = SPACING
 
 
@@ -241,9 +243,8 @@ def write_mrc():
 def write_zarr_file(name, byte_order, how='', **storage):
     folder = path('zarr', f'{name}-{byte_order}{how}.zarr')
     group = zarr.group(zarr.NestedDirectoryStore(str(folder)), overwrite=True)
-    array = samples(name)
-    array = array.astype(array.dtype.newbyteorder('>' if byte_order == 'big' else '<'))
-    group.create_dataset('0', data=array, dimension_separator='/', **storage)
+    group.create_dataset('0', data=in_order(samples(name), byte_order), dimension_separator='/',
+                         **storage)
     group.attrs['multiscales'] = [{
         'version': '0.4',
         'axes': [{'name': axis, 'type': 'space', 'unit': 'millimeter'} for axis in 'zyx'],
@@ -254,9 +255,8 @@ def write_zarr_file(name, byte_order, how='', **storage):
 
 
 def write_zarr():
-    for name in TYPES:
-        for order in orders(name):
-            write_zarr_file(name, order, chunks=(4, 3, 5))
+    for name, order, _ in ordered_samples():
+        write_zarr_file(name, order, chunks=(4, 3, 5))
     write_zarr_file('i16', 'big', '-chunks', chunks=(2, 2, 3))
     for how in ('zlib', 'gzip', 'zstd'):
         compressor = {'zlib': numcodecs.Zlib, 'gzip': numcodecs.GZip, 'zstd': numcodecs.Zstd}[how]()
@@ -265,10 +265,9 @@ def write_zarr():
 
 
 def write_tiff():
-    for name in TYPES:
-        for order in orders(name):
-            tifffile.imwrite(path('tiff', f'{name}-{order}.tif'), samples(name),
-                             photometric='minisblack', byteorder='>' if order == 'big' else '<')
+    for name, order, _ in ordered_samples():
+        tifffile.imwrite(path('tiff', f'{name}-{order}.tif'), samples(name),
+                         photometric='minisblack', byteorder='>' if order == 'big' else '<')
 
 
 # HDF5, by h5py. Its sizes of a voxel are along z, y and x, in micrometres.
@@ -282,12 +281,9 @@ def add_dataset(file, name, array, **how):
 
 
 def write_hdf5():
-    for name in TYPES:
-        for order in orders(name):
-            array = samples(name)
-            array = array.astype(array.dtype.newbyteorder('>' if order == 'big' else '<'))
-            with hdf5_file(f'{name}-{order}.h5') as file:
-                add_dataset(file, 'volume', array)
+    for name, order, array in ordered_samples():
+        with hdf5_file(f'{name}-{order}.h5') as file:
+            add_dataset(file, 'volume', array)
     with hdf5_file('i16-big-gzip.h5') as file:
         add_dataset(file, 'exchange/data', samples('i16').astype('>i2'), chunks=(2, 2, 2),
                     compression='gzip', shuffle=True, fletcher32=True)
