@@ -180,7 +180,7 @@ TEST_CASE_FIXTURE(Dicom, "a document in DICOM is refused with the command that e
 
 TEST_CASE_FIXTURE(Folder, "a file of another format named as DICOM is refused by its format") {
   const std::string jpeg = "\xff\xd8\xff\xe0 JFIF";
-  check_refused(write("i.jpg.dcm", jpeg), "this is JPEG, and not DICOM; rename it");
+  check_refused(write("i.jpg.dcm", jpeg), "this is JPEG, and not DICOM; rename it to i.jpg");
   const std::string parts = "--bnd\r\nContent-Type: application/dicom\r\n\r\n";
   check_refused(write("m.dcm", parts), "this is a MIME message, as DICOMweb sends");
 }

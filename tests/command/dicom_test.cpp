@@ -366,7 +366,7 @@ TEST_CASE("files that hold no image are skipped and counted") {
   CHECK(read_all(*reader) == patterned(0, depth));
   check_refused(files / "report.dcm", "this is a DICOM file without an image");
   check_refused(files / "colour.dcm", "the file holds 3 channels");
-  check_refused(series.path() / "reports", "none of 2 DICOM files holds an image");
+  check_refused(series.path() / "reports", "none of 2 DICOM files holds an image to read: ");
   const Folder empty;
   check_refused(empty.path(), "holds no DICOM files and no pictures");
 }

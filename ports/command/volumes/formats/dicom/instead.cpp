@@ -33,11 +33,11 @@ RejectReason foreign_content(const std::filesystem::path& file) {
   const std::string_view head = stream.peek(magic_bytes);
   const VolumeFormat* const format = is_dicom_head(head) ? nullptr : format_of_head(head);
   if (format == nullptr || format->name == "DICOM") return {};
-  const std::string name(format->name);
-  return {name + ", and not DICOM", is_read(*format)
-                                        ? "rename it to what " + name + " is called, such as " +
-                                              file.stem().string() + std::string(format->endings[0])
-                                        : std::string(format->remedy)};
+  const std::string ending(format->endings[0]);
+  const std::string stem = file.stem().string();
+  const std::string name = file.stem().extension() == ending ? stem : stem + ending;
+  return {std::string(format->name) + ", and not DICOM",
+          is_read(*format) ? "rename it to " + name : std::string(format->remedy)};
 }
 
 RejectReason without_image(DcmItem& dataset) {

@@ -131,9 +131,8 @@ std::string list_of(const std::vector<RejectReason>& skipped) {
   if (found.skipped.empty())
     fail(source, "there is no image beside the DICOMDIR", "copy the whole folder");
   fail(source,
-       (files == 1
-            ? "this is "
-            : "none of " + std::to_string(files) + " DICOM files holds an image to read, but ") +
+       (files == 1 ? "this is "
+                   : "none of " + std::to_string(files) + " DICOM files holds an image to read: ") +
            list_of(found.skipped),
        found.skipped[0].remedy);
 }
