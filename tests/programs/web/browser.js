@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { inOrder } from './command.js';
 
@@ -50,6 +51,22 @@ export async function openPage(browser,
   await page.goto(address ?? pathToFileURL(path).href);
   await page.waitForSelector('body[data-ready]');
   return { page, complaints };
+}
+
+/** Starts a browser for the tests of a file. Their page, opened with options, must have no complaint. */
+export function pageTests() {
+  let browser;
+  before(async () => (browser = await startBrowser()));
+  after(() => browser.close());
+  const withPage = async (options, check) => {
+    const { page, complaints } = await openPage(browser, options);
+    const result = await check(page);
+    assert.deepEqual(complaints, []);
+    await page.context().close();
+    return result;
+  };
+  return { open: (options) => openPage(browser, options), withPage,
+    onPage: (options, check) => () => withPage(options, check) };
 }
 
 /** Opens files, and waits until their surface or an error is there. */

@@ -2,10 +2,9 @@
 import assert from 'node:assert/strict';
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { checkAccess, now, openFiles, openPage, pixelsOf, rested, saved, shownPolygons, startBrowser,
-  streamShows } from './browser.js';
+import { checkAccess, now, openFiles, pageTests, pixelsOf, rested, saved, shownPolygons, streamShows } from './browser.js';
 import { command, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -14,9 +13,7 @@ writeFileSync(volume, nrrdOf(roughBall()));
 command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
 const expected = polygonsByCommand(folder, 'decode', stream);
 
-let browser;
-before(async () => (browser = await startBrowser()));
-after(() => browser.close());
+const { open, onPage } = pageTests();
 
 /** How many pixels of the picture are of the colour of what is missing. */
 async function vermilion(page) {
@@ -28,8 +25,7 @@ async function vermilion(page) {
 }
 const count = async (page) => Number((await page.textContent('#polygons')).replace(',', ''));
 
-test('a stream is replayed at the pace of its link, and is the same in the end', async () => {
-  const { page, complaints } = await openPage(browser);
+test('a stream is replayed at the pace of its link, and is the same in the end', onPage({}, async (page) => {
   await openFiles(page, stream);
   const all = await count(page);
   await page.selectOption('#replay-baud', '115200');
@@ -45,15 +41,12 @@ test('a stream is replayed at the pace of its link, and is the same in the end',
   await page.check('#measure');
   await page.press('#view', 'Enter');
   assert.match(await page.textContent('#distance'), /^From/, 'the surface is in the picture');
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('a stream with fractions is interpolated while it arrives; other shapes can be chosen', async () => {
+test('a stream with fractions is interpolated while it arrives; other shapes can be chosen', onPage({}, async (page) => {
   const [fractions, expected, shown] =
     ['fractions.dmc', 'expected.stl', 'shown.stl'].map((name) => join(folder, name));
   command('extract', '--quiet', volume, '--iso', '400', '--wire', 'slices', '--levels', '4', '-o', fractions);
-  const { page, complaints } = await openPage(browser);
   await openFiles(page, fractions);
   const caption = () => page.textContent('#caption-merged');
   const all = await caption();
@@ -83,12 +76,9 @@ test('a stream with fractions is interpolated while it arrives; other shapes can
   await openFiles(page, stream);
   assert.equal(await page.inputValue('#shape'), 'polygons');
   assert.ok(await page.isDisabled('#shape-interpolated'), 'it has no fractions');
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('lost packets are reported, and whole regions are shown', async () => {
-  const { page, complaints } = await openPage(browser);
+test('lost packets are reported, and whole regions are shown', onPage({}, async (page) => {
   await openFiles(page, stream);
   await page.evaluate(() => {
     let call = 0;
@@ -111,12 +101,9 @@ test('lost packets are reported, and whole regions are shown', async () => {
   await checkAccess(page);
   await openFiles(page, stream);
   assert.ok(await page.isHidden('#missing-row'), 'a whole stream has no missing parts');
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('a replay can be stopped, and another file opened meanwhile', async () => {
-  const { page, complaints } = await openPage(browser);
+test('a replay can be stopped, and another file opened meanwhile', onPage({}, async (page) => {
   await openFiles(page, stream);
   await page.selectOption('#replay-baud', '9600');
   await page.click('#replay');
@@ -129,9 +116,7 @@ test('a replay can be stopped, and another file opened meanwhile', async () => {
   await page.waitForSelector('#threshold');
   assert.match(await page.textContent('#file-name'), /^ball.nrrd/);
   assert.ok(await page.isHidden('#stop'));
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
 /** A port that sends these bytes, and then is gone. */
 const fakeSerial = (list) => {
@@ -148,9 +133,7 @@ const fakeSerial = (list) => {
   Object.defineProperty(navigator, 'serial', { value: { port, requestPort: async () => port } });
 };
 
-test('the stream of a serial port is shown, and saved unchanged', async () => {
-  const { page, complaints } = await openPage(browser,
-    { script: [fakeSerial, [...readFileSync(stream)]] });
+test('the stream of a serial port is shown, and saved unchanged', onPage({ script: [fakeSerial, [...readFileSync(stream)]] }, async (page) => {
   await page.click('#connect');
   await checkAccess(page);
   await page.fill('#serial-baud', '921600');
@@ -159,12 +142,10 @@ test('the stream of a serial port is shown, and saved unchanged', async () => {
   assert.equal(await page.evaluate(() => navigator.serial.port.options.baudRate), 921600);
   assert.equal(await shownPolygons(page), expected);
   assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), readFileSync(stream));
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
 test('bytes that are no stream are reported with the baud rate to check', async () => {
-  const { page } = await openPage(browser, { script: [fakeSerial, [...Buffer.from('no stream')]] });
+  const { page } = await open({ script: [fakeSerial, [...Buffer.from('no stream')]] });
   await page.click('#connect');
   await page.keyboard.press('Enter');
   await page.waitForSelector('#error:not([hidden])');

@@ -2,13 +2,13 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { facing } from '../../../ports/web/page/facing.js';
 import { planesOf } from '../../../ports/web/page/light.js';
 import { nrrdOf, roughBall } from './ball.js';
-import { checkAccess, hasSurface, now, openFiles, openPage, pixelsOf, rested, saved, shown, shownPolygons,
-  startBrowser, streamShows } from './browser.js';
+import { checkAccess, hasSurface, now, openFiles, pageTests, pixelsOf, rested, saved, shown, shownPolygons,
+  streamShows } from './browser.js';
 import { command, inOrder, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -18,9 +18,7 @@ const byCommand = (iso) => polygonsByCommand(folder, 'extract', '--quiet', volum
 
 const small = { width: 800, height: 400 }; // for many pictures
 
-let browser;
-before(async () => (browser = await startBrowser()));
-after(() => browser.close());
+const { withPage, onPage } = pageTests();
 
 const setThreshold = (page, iso) => page.evaluate((value) => {
   const slider = document.querySelector('#threshold');
@@ -28,8 +26,7 @@ const setThreshold = (page, iso) => page.evaluate((value) => {
   slider.dispatchEvent(new Event('input', { bubbles: true }));
 }, iso);
 
-test('while 40 thresholds are dragged over, each surface equals that of the command', async () => {
-  const { page, complaints } = await openPage(browser);
+test('while 40 thresholds are dragged over, each surface equals that of the command', onPage({}, async (page) => {
   await openFiles(page, volume);
   for (let step = 0; step < 40; ++step) {
     const iso = -100 + 25 * step;
@@ -37,12 +34,9 @@ test('while 40 thresholds are dragged over, each surface equals that of the comm
     await shown(page, iso);
     assert.equal(await shownPolygons(page), byCommand(iso), `threshold ${iso}`);
   }
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('a file that is dropped on the page is opened', async () => {
-  const { page, complaints } = await openPage(browser);
+test('a file that is dropped on the page is opened', onPage({}, async (page) => {
   await page.evaluate((base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const dataTransfer = new DataTransfer();
@@ -54,12 +48,9 @@ test('a file that is dropped on the page is opened', async () => {
   await page.waitForFunction(() => globalThis.measured.some(({ name }) => name === 'drawn' &&
     document.querySelector('#polygons').textContent !== '–'));
   assert.match(await page.textContent('#file-name'), /^dropped.nrrd · 48 × 40 × 36 voxels/);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('every format is read in a browser', async () => {
-  const { page, complaints } = await openPage(browser);
+test('every format is read in a browser', onPage({}, async (page) => {
   const volumes = new URL('../../command/volumes/', import.meta.url).pathname;
   for (const file of ['nrrd/i16-big-gzip.nrrd', 'nifti1/i16-little.nii.gz', 'nifti2/f32-big.nii',
     'metaimage/i16-little-compressed.mha', 'numpy/i16-big.npy', 'dicom/u16.dcm']) {
@@ -67,23 +58,18 @@ test('every format is read in a browser', async () => {
     assert.ok(await page.isHidden('#error'), await page.textContent('#error-text'));
     assert.match(await page.textContent('#file-name'), /^.+ · \d+ × \d+ × \d+ voxels/);
   }
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('after a fast drag the last threshold is shown', async () => {
-  const { page } = await openPage(browser);
+test('after a fast drag the last threshold is shown', onPage({}, async (page) => {
   await openFiles(page, volume);
   for (let iso = 100; iso <= 500; iso += 4) await setThreshold(page, iso);
   await shown(page, 500);
   const { name, path } = await saved(page, 'jsonl');
   assert.equal(name, 'ball-500.jsonl');
   assert.equal(inOrder(readFileSync(path, 'utf8')), byCommand(500));
-  await page.context().close();
-});
+}));
 
-test('wrong, damaged and huge files are refused, and the page continues', async () => {
-  const { page, complaints } = await openPage(browser);
+test('wrong, damaged and huge files are refused, and the page continues', onPage({}, async (page) => {
   const stream = join(folder, 'ball.dmc');
   command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
   const damaged = join(folder, 'damaged.dmc');
@@ -116,12 +102,9 @@ test('wrong, damaged and huge files are refused, and the page continues', async 
   assert.match(await page.textContent('#stream-text'), /^Incomplete: [1-9]\d* packets? and [1-9]\d* regions or fragments lost/);
   await openFiles(page, stream);
   await streamShows(page, 'Complete');
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('a threshold given for a volume is dropped when a stream is opened meanwhile', async () => {
-  const { page, complaints } = await openPage(browser);
+test('a threshold given for a volume is dropped when a stream is opened meanwhile', onPage({}, async (page) => {
   const stream = join(folder, 'after.dmc');
   command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
   await openFiles(page, volume);
@@ -142,12 +125,9 @@ test('a threshold given for a volume is dropped when a stream is opened meanwhil
   assert.ok(await page.isHidden('#caption-classic'), 'no Marching Cubes of the volume beside the stream');
   const { path } = await saved(page, 'dmc');
   assert.deepEqual(readFileSync(path), readFileSync(stream));
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('if a volume and a stream are opened at once, the last is shown and saved', async () => {
-  const { page, complaints } = await openPage(browser);
+test('if a volume and a stream are opened at once, the last is shown and saved', onPage({}, async (page) => {
   const stream = join(folder, 'first.dmc');
   command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
   await page.setInputFiles('#files', stream);
@@ -161,12 +141,9 @@ test('if a volume and a stream are opened at once, the last is shown and saved',
   assert.ok(await page.isHidden('#error'), await page.textContent('#error-text'));
   const { path } = await saved(page, 'dmc');
   assert.deepEqual(readFileSync(path), readFileSync(stream));
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('the view is the same after a lost WebGL context is restored', async () => {
-  const { page, complaints } = await openPage(browser);
+test('the view is the same after a lost WebGL context is restored', onPage({}, async (page) => {
   await openFiles(page, volume);
   await page.check('#edges');
   await page.check('#classic');
@@ -182,22 +159,17 @@ test('the view is the same after a lost WebGL context is restored', async () => 
   await page.waitForTimeout(300);
   await rested(page, await now(page));
   assert.ok(before.equals(await picture()));
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('a stream too wide to draw is refused with a remedy', async () => {
-  const { page } = await openPage(browser);
+test('a stream too wide to draw is refused with a remedy', onPage({}, async (page) => {
   const raw = join(folder, 'wide.raw'), path = join(folder, 'wide.dmc');
   writeFileSync(raw, Buffer.alloc(20000 * 2 * 2, 1));
   command('extract', raw, '--dims', '20000,2,2', '--type', 'u8', '--iso', '1', '-o', path, '--quiet');
   await openFiles(page, path);
   assert.match(await page.textContent('#error'), /20000 x 2 x 2 voxels; the page accepts at most 16383 .*--crop/);
-  await page.context().close();
-});
+}));
 
-test('each surface of a stream with several can be chosen', async () => {
-  const { page, complaints } = await openPage(browser);
+test('each surface of a stream with several can be chosen', onPage({}, async (page) => {
   const path = join(folder, 'several.dmc');
   command('extract', volume, '--iso', '200', '--iso', '600', '--scan', '7', '-o', path, '--quiet');
   await openFiles(page, path);
@@ -212,12 +184,9 @@ test('each surface of a stream with several can be chosen', async () => {
       polygonsByCommand(folder, 'decode', path, '--stream-channel', `${channel}`));
   }
   await openFiles(page, volume);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('keys alone suffice: open, threshold, look around, measure, save', async () => {
-  const { page, complaints } = await openPage(browser);
+test('keys alone suffice: open, threshold, look around, measure, save', onPage({}, async (page) => {
   const focus = async (selector) => {
     for (let tabs = 0; tabs < 60; ++tabs) {
       if (await page.evaluate((wanted) => document.activeElement?.matches(wanted), selector)) return;
@@ -255,23 +224,18 @@ test('keys alone suffice: open, threshold, look around, measure, save', async ()
   await focus('[data-save=png]');
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
   assert.equal(readFileSync(await download.path()).subarray(1, 4).toString(), 'PNG');
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
 test('axe finds no serious violation: empty, with a volume, in the dark, on a small screen', async () => {
-  for (const options of [{}, { colorScheme: 'dark' }, { viewport: { width: 390, height: 780 } }]) {
-    const { page, complaints } = await openPage(browser, options);
-    await checkAccess(page);
-    await openFiles(page, volume);
-    await checkAccess(page);
-    assert.deepEqual(complaints, []);
-    await page.context().close();
-  }
+  for (const options of [{}, { colorScheme: 'dark' }, { viewport: { width: 390, height: 780 } }])
+    await withPage(options, async (page) => {
+      await checkAccess(page);
+      await openFiles(page, volume);
+      await checkAccess(page);
+    });
 });
 
-test('every switch of the view works and reports no error', async () => {
-  const { page, complaints } = await openPage(browser);
+test('every switch of the view works and reports no error', onPage({}, async (page) => {
   await openFiles(page, volume);
   for (const id of ['edges', 'smooth', 'classic', 'filter', 'cut']) await page.check(`#${id}`);
   await page.waitForSelector('#caption-classic:visible');
@@ -284,9 +248,7 @@ test('every switch of the view works and reports no error', async () => {
   const stream = await saved(page, 'dmc');
   assert.match(command('info', stream.path).toString(), /^threshold -?\d+$/m);
   for (const kind of ['stl', 'glb']) assert.ok(readFileSync((await saved(page, kind)).path).length > 10000);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
 /** The mean colour of what is drawn. */
 async function colourOf(page) {
@@ -297,8 +259,7 @@ async function colourOf(page) {
   return { red: sums[0] / sums[3], blue: sums[2] / sums[3], pixels: sums[3] };
 }
 
-test('a volume is shaded smoothly at first, and its polygons are flat by a click', async () => {
-  const { page, complaints } = await openPage(browser, { viewport: small });
+test('a volume is shaded smoothly at first, and its polygons are flat by a click', onPage({ viewport: small }, async (page) => {
   await openFiles(page, volume);
   await setThreshold(page, 400);
   await shown(page, 400);
@@ -312,12 +273,9 @@ test('a volume is shaded smoothly at first, and its polygons are flat by a click
   await shown(page, 400);
   const flat = await colours();
   assert.ok(flat <= 28 && smooth > 10 * flat, `${flat} colours of planes, and ${smooth}`);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
 
-test('the outside is seen, flat and smooth, also of a volume whose x runs backwards; a cut shows the inside', async () => {
-  const { page } = await openPage(browser, { viewport: small });
+test('the outside is seen, flat and smooth, also of a volume whose x runs backwards; a cut shows the inside', onPage({ viewport: small }, async (page) => {
   for (const side of [1, -1]) {
     const path = join(folder, 'side.nrrd');
     const ball = roughBall();
@@ -335,11 +293,9 @@ test('the outside is seen, flat and smooth, also of a volume whose x runs backwa
     assert.ok(cut.red < 1.2 * cut.blue, `${cut.red} and ${cut.blue}`);
     await page.evaluate(() => (globalThis.measured.length = 0));
   }
-  await page.context().close();
-});
+}));
 
-test('the slice follows the pointer on the surface, until one is chosen', async () => {
-  const { page } = await openPage(browser);
+test('the slice follows the pointer on the surface, until one is chosen', onPage({}, async (page) => {
   await openFiles(page, volume);
   await rested(page);
   const place = () => page.evaluate(() => Number(document.querySelector('#place').value));
@@ -358,11 +314,9 @@ test('the slice follows the pointer on the surface, until one is chosen', async 
   assert.equal(await point(0.5, 0.3), lower + 1, 'a chosen one stays');
   await page.check('#follow');
   assert.equal(await point(0.5, 0.3), upper);
-  await page.context().close();
-});
+}));
 
-test('a measurement disappears with its surface, and a cut does not follow the pointer', async () => {
-  const { page } = await openPage(browser);
+test('a measurement disappears with its surface, and a cut does not follow the pointer', onPage({}, async (page) => {
   await openFiles(page, volume);
   await rested(page);
   await page.check('#measure');
@@ -376,8 +330,7 @@ test('a measurement disappears with its surface, and a cut does not follow the p
   assert.ok(await page.isDisabled('#follow'));
   await page.uncheck('#cut');
   assert.ok(await page.isEnabled('#follow'));
-  await page.context().close();
-});
+}));
 
 test('omitted planes face away at any position in space', () => {
   const planes = planesOf([0.5, -0.75, 2]);
@@ -396,8 +349,7 @@ test('omitted planes face away at any position in space', () => {
   }
 });
 
-test('faces that face away are not drawn, and nothing that is seen is missing, from all sides', async () => {
-  const { page } = await openPage(browser, { viewport: small });
+test('faces that face away are not drawn, and nothing that is seen is missing, from all sides', onPage({ viewport: small }, async (page) => {
   await openFiles(page, volume);
   await page.evaluate(() => {
     const place = document.querySelector('#place');
@@ -420,8 +372,7 @@ test('faces that face away are not drawn, and nothing that is seen is missing, f
     await page.focus('#view');
     for (let i = 0; i < 9; ++i) await page.keyboard.press(step % 2 ? 'ArrowUp' : 'ArrowLeft');
   }
-  await page.context().close();
-});
+}));
 
 /** How many pixels wide and high the thing in a picture is. */
 async function extentOf(page) {
@@ -436,8 +387,7 @@ async function extentOf(page) {
   return { wide: columns.size, high: rows.size };
 }
 
-test('a head is upright for any direction of its slices', async () => {
-  const { page } = await openPage(browser, { viewport: small });
+test('a head is upright for any direction of its slices', onPage({ viewport: small }, async (page) => {
   const samples = new Int16Array(12 * 12 * 12).fill(0);
   // A rod along the voxels' x, y or z, which the header maps to the direction of the head.
   for (const axis of [0, 1, 2]) {
@@ -458,8 +408,7 @@ test('a head is upright for any direction of its slices', async () => {
     const { wide, high } = await extentOf(page);
     assert.ok(high > 2 * wide, `along ${'xyz'[axis]}: ${wide} x ${high}`);
   }
-  await page.context().close();
-});
+}));
 
 test('a page with data inside opens it at once', async () => {
   const path = join(folder, 'with_data.html');
@@ -468,25 +417,21 @@ test('a page with data inside opens it at once', async () => {
     `data-encoding="deflate" data-iso="425">${data}</script>`;
   const html = readFileSync(process.env.DISCMC_PAGE, 'utf8');
   writeFileSync(path, html.replace('<script type="application/base64" id="module">', (own) => element + own));
-  const { page, complaints } = await openPage(browser, { path });
-  await shown(page, 425);
-  assert.match(await page.textContent('#file-name'), /^inside.nrrd/);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
+  await withPage({ path }, async (page) => {
+    await shown(page, 425);
+    assert.match(await page.textContent('#file-name'), /^inside.nrrd/);
+  });
 });
 
-test('a threshold that no voxel reaches is reported', async () => {
-  const { page } = await openPage(browser);
+test('a threshold that no voxel reaches is reported', onPage({}, async (page) => {
   await openFiles(page, volume);
   await page.fill('#threshold-number', '99999');
   await page.keyboard.press('Enter');
   await shown(page, 99999);
   assert.equal(await page.textContent('#caption-merged'), 'No surface at this threshold');
-  await page.context().close();
-});
+}));
 
-test('on a phone, messages are visible at any scroll position', async () => {
-  const { page } = await openPage(browser, { viewport: { width: 390, height: 844 } });
+test('on a phone, messages are visible at any scroll position', onPage({ viewport: { width: 390, height: 844 } }, async (page) => {
   await openFiles(page, volume);
   await page.locator('#save-head').scrollIntoViewIfNeeded();
   const letter = join(folder, 'scrolled.txt');
@@ -494,5 +439,4 @@ test('on a phone, messages are visible at any scroll position', async () => {
   await openFiles(page, letter);
   const { y } = await page.locator('#error').boundingBox();
   assert.ok(y >= 0, `${y} pixels from the top`);
-  await page.context().close();
-});
+}));

@@ -2,10 +2,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { checkAccess, hasSurface, openFiles, openPage, pixelsOf, rested, saved, shownPolygons,
-  startBrowser } from './browser.js';
+import { checkAccess, hasSurface, openFiles, pageTests, pixelsOf, rested, saved, shownPolygons } from './browser.js';
 import { command, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -13,22 +12,18 @@ const volume = join(folder, 'ball.nrrd');
 writeFileSync(volume, nrrdOf(roughBall()));
 const path = join(folder, 'page.html');
 
-let browser;
-before(async () => (browser = await startBrowser()));
-after(() => browser.close());
+const { withPage, onPage } = pageTests();
 
 /** Opens the page that the command makes; returns its name of the open file, and its polygons. */
 async function viewed(...words) {
   command('view', ...words, '-o', path, '--no-open');
-  const { page, complaints } = await openPage(browser, { path });
-  await hasSurface(page);
-  const opened = await page.textContent('#file-name');
-  const isVolume = await page.isVisible('#threshold');
-  const iso = isVolume ? Number(await page.inputValue('#threshold-number')) : undefined;
-  const polygons = await shownPolygons(page);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-  return { opened, iso, polygons };
+  return withPage({ path }, async (page) => {
+    await hasSurface(page);
+    const opened = await page.textContent('#file-name');
+    const isVolume = await page.isVisible('#threshold');
+    const iso = isVolume ? Number(await page.inputValue('#threshold-number')) : undefined;
+    return { opened, iso, polygons: await shownPolygons(page) };
+  });
 }
 
 test('a page made without a threshold offers all thresholds', async () => {
@@ -80,51 +75,48 @@ const small = { width: 800, height: 400 };
 
 test('labels have their colours and names; they are smooth first, and flat after a click', async () => {
   command('view', labels, '--labels', 'all', '-o', path, '--no-open');
-  const { page, complaints } = await openPage(browser, { path, viewport: small });
-  assert.equal(await page.textContent('#file-name'), 'labels.nrrd · 18 × 10 × 10 mm');
-  assert.deepEqual(await page.locator('#labels span').allTextContents(), ['left part', 'right part']);
-  assert.match(await page.textContent('#caption-merged'), /^\d+ triangles$/);
-  await rested(page);
-  const smooth = await coloursOf(page);
-  assert.ok(smooth.red > 2000 && smooth.green > 2000, `${smooth.red} red, ${smooth.green} green`);
-  await page.uncheck('#smooth');
-  const flat = await coloursOf(page);
-  assert.ok(flat.red > 2000 && flat.different < smooth.different / 3,
-    `${flat.different} colours, and ${smooth.different} when smooth`);
-  await page.check('#edges');
-  const edged = await coloursOf(page);
-  assert.ok(edged.different > flat.different);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
+  await withPage({ path, viewport: small }, async (page) => {
+    assert.equal(await page.textContent('#file-name'), 'labels.nrrd · 18 × 10 × 10 mm');
+    assert.deepEqual(await page.locator('#labels span').allTextContents(), ['left part', 'right part']);
+    assert.match(await page.textContent('#caption-merged'), /^\d+ triangles$/);
+    await rested(page);
+    const smooth = await coloursOf(page);
+    assert.ok(smooth.red > 2000 && smooth.green > 2000, `${smooth.red} red, ${smooth.green} green`);
+    await page.uncheck('#smooth');
+    const flat = await coloursOf(page);
+    assert.ok(flat.red > 2000 && flat.different < smooth.different / 3,
+      `${flat.different} colours, and ${smooth.different} when smooth`);
+    await page.check('#edges');
+    const edged = await coloursOf(page);
+    assert.ok(edged.different > flat.different);
+  });
 });
 
 test('a mesh can be measured in its coordinates and cut, and a volume replaces it', async () => {
   const stl = join(folder, 'placed.stl');
   command('extract', '--quiet', labels, '--label', '1', '-o', stl);
   command('view', stl, '-o', path, '--no-open');
-  const { page, complaints } = await openPage(browser, { path, viewport: small });
-  await rested(page);
-  assert.ok(await page.isHidden('#labels'));
-  await page.check('#measure');
-  await page.focus('#view');
-  await page.keyboard.press('Enter');
-  const place = (await page.textContent('#distance')).match(/-?[\d.]+/g).map(Number);
-  [[2, 12], [2, 13], [2, 13]].forEach(([low, high], axis) =>
-    assert.ok(place[axis] >= low && place[axis] <= high, `${place}`));
-  const { red: none, different } = await coloursOf(page);
-  assert.equal(none, 0);
-  await page.check('#cut');
-  assert.notEqual((await coloursOf(page)).different, different);
-  await openFiles(page, volume);
-  await shownPolygons(page);
-  assert.ok(await page.isVisible('#threshold'));
-  await checkAccess(page);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
+  await withPage({ path, viewport: small }, async (page) => {
+    await rested(page);
+    assert.ok(await page.isHidden('#labels'));
+    await page.check('#measure');
+    await page.focus('#view');
+    await page.keyboard.press('Enter');
+    const place = (await page.textContent('#distance')).match(/-?[\d.]+/g).map(Number);
+    [[2, 12], [2, 13], [2, 13]].forEach(([low, high], axis) =>
+      assert.ok(place[axis] >= low && place[axis] <= high, `${place}`));
+    const { red: none, different } = await coloursOf(page);
+    assert.equal(none, 0);
+    await page.check('#cut');
+    assert.notEqual((await coloursOf(page)).different, different);
+    await openFiles(page, volume);
+    await shownPolygons(page);
+    assert.ok(await page.isVisible('#threshold'));
+    await checkAccess(page);
+  });
 });
 
-test('the page opens the meshes that it saves and that the command writes, and refuses damaged ones', async () => {
-  const { page, complaints } = await openPage(browser, { viewport: small });
+test('the page opens the meshes that it saves and that the command writes, and refuses damaged ones', onPage({ viewport: small }, async (page) => {
   await openFiles(page, volume);
   const own = join(folder, 'own.glb'), cut = join(folder, 'cut.glb');
   const glb = readFileSync((await saved(page, 'glb')).path);
@@ -140,6 +132,4 @@ test('the page opens the meshes that it saves and that the command writes, and r
   await page.waitForSelector('#error:not([hidden])');
   assert.match(await page.textContent('#error-text'), /^cut.glb: an array ends beyond the file; save it again/);
   assert.match(await page.textContent('#file-name'), /^own.glb/);
-  assert.deepEqual(complaints, []);
-  await page.context().close();
-});
+}));
