@@ -38,6 +38,15 @@ inline bool are_same(const Surface& a, const Surface& b) {
   return true;
 }
 
+// corners: three per face.
+inline FaceMesh triangles_of(std::vector<Point> vertices, std::vector<std::uint32_t> corners) {
+  FaceMesh mesh;
+  mesh.vertices_mm = std::move(vertices);
+  mesh.corners = std::move(corners);
+  for (std::size_t end = 3; end <= mesh.corners.size(); end += 3) mesh.face_begin.push_back(end);
+  return mesh;
+}
+
 // One polygon.
 inline Polygons polygon_of(discmc::Incidence incidence, const std::vector<Corners>& rings) {
   Polygons polygons;

@@ -307,26 +307,22 @@ TEST_CASE_FIXTURE(Hdf5File, "padded arrays of Imaris are refused with a converte
   check_refused(file, "this is Imaris, which pads its arrays");
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "samples with fewer bits than their storage are read") {
+TEST_CASE_FIXTURE(Hdf5File, "samples of fewer bits than their storage, and bitfields, are read") {
+  const auto check = [this](SampleType type, const auto& samples) {
+    const auto reader = open_volume(file);
+    CHECK(reader->info().type == type);
+    CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
+  };
   const std::vector<std::uint32_t> samples = {0, 1, 77, 4095, 0, 2048, 300, 9};
-  {
-    const Hdf5Handle type(H5Tcopy(H5T_STD_U32LE), H5Tclose);
-    REQUIRE(H5Tset_precision(type.id(), 12) >= 0);
-    write_samples(new_dataset(new_file(file), "volume", {2, 2, 2}, no_creation(), type.id()),
-                  samples, H5T_NATIVE_UINT32);
-  }
-  const auto reader = open_volume(file);
-  CHECK(reader->info().type == SampleType::u32);
-  CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
-}
-
-TEST_CASE_FIXTURE(Hdf5File, "bitfields of PyTables are read as truth values") {
-  const Bytes samples = {0, 1, 1, 0, 0, 0, 1, 0};
-  write_samples(new_dataset(new_file(file), "mask", {2, 2, 2}, no_creation(), H5T_STD_B8LE),
-                samples, H5T_NATIVE_B8);
-  const auto reader = open_volume(file);
-  CHECK(reader->info().type == SampleType::u8);
-  CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
+  const Hdf5Handle of_12_bits(H5Tcopy(H5T_STD_U32LE), H5Tclose);
+  REQUIRE(H5Tset_precision(of_12_bits.id(), 12) >= 0);
+  write_samples(new_dataset(new_file(file), "volume", {2, 2, 2}, no_creation(), of_12_bits.id()),
+                samples, H5T_NATIVE_UINT32);
+  check(SampleType::u32, samples);
+  const Bytes bits = {0, 1, 1, 0, 0, 0, 1, 0};  // as PyTables stores truth values
+  write_samples(new_dataset(new_file(file), "mask", {2, 2, 2}, no_creation(), H5T_STD_B8LE), bits,
+                H5T_NATIVE_B8);
+  check(SampleType::u8, bits);
 }
 
 TEST_CASE_FIXTURE(Folder, "a virtual array is read, and refused if one of its files is missing") {

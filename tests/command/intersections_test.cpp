@@ -1,6 +1,7 @@
 // Intersecting faces.
 #include "meshes/intersections.hpp"
 
+#include "hand_made.hpp"
 #include "meshes/box_tree.hpp"
 #include "oracle/stream.hpp"
 #include "test.hpp"
@@ -9,16 +10,9 @@ namespace {
 
 using namespace discmc::meshing;
 using discmc::test::Chance;
+using hand_made::triangles_of;
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
-
-FaceMesh mesh_of(std::vector<Point> vertices, std::vector<std::uint32_t> corners) {
-  FaceMesh mesh;
-  mesh.vertices_mm = std::move(vertices);
-  mesh.corners = std::move(corners);
-  for (std::size_t end = 3; end <= mesh.corners.size(); end += 3) mesh.face_begin.push_back(end);
-  return mesh;
-}
 
 Pairs intersections_of(const FaceMesh& mesh) {
   return intersecting_faces(mesh, all_faces(mesh));
@@ -26,7 +20,8 @@ Pairs intersections_of(const FaceMesh& mesh) {
 
 // A triangle in the plane z = 0, and another one.
 bool goes_through_floor(const Point& a, const Point& b, const Point& c) {
-  const FaceMesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, a, b, c}, {0, 1, 2, 3, 4, 5});
+  const FaceMesh mesh =
+      triangles_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, a, b, c}, {0, 1, 2, 3, 4, 5});
   return !intersections_of(mesh).empty();
 }
 
@@ -51,15 +46,15 @@ TEST_CASE("triangles that miss each other or are coplanar do not intersect") {
 TEST_CASE("shared edges and vertices are no intersections, but other contacts are") {
   const std::vector<Point> vertices = {{0, 0, 0}, {4, 0, 0},  {0, 4, 0},  {4, 4, 1},
                                        {1, 1, 1}, {1, 1, -1}, {-1, -1, 1}};
-  CHECK(intersections_of(mesh_of(vertices, {0, 1, 2, 2, 1, 3})).empty());
-  CHECK(intersections_of(mesh_of(vertices, {0, 1, 2, 0, 4, 6})).empty());
-  CHECK(intersections_of(mesh_of(vertices, {0, 1, 2, 0, 4, 5})).size() == 1);
+  CHECK(intersections_of(triangles_of(vertices, {0, 1, 2, 2, 1, 3})).empty());
+  CHECK(intersections_of(triangles_of(vertices, {0, 1, 2, 0, 4, 6})).empty());
+  CHECK(intersections_of(triangles_of(vertices, {0, 1, 2, 0, 4, 5})).size() == 1);
 }
 
 TEST_CASE("intersections do not depend on units or mirrored axes") {
   for (const Point& spacing : {Point{1e-3, 1e-3, 1e-3}, Point{1e4, 1e4, 1e4}, Point{-1, 2, -3}}) {
-    FaceMesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}},
-                            {0, 1, 2, 3, 4, 5});
+    FaceMesh mesh = triangles_of(
+        {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}}, {0, 1, 2, 3, 4, 5});
     for (Point& vertex : mesh.vertices_mm)
       for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] *= spacing[axis];
     CHECK(intersections_of(mesh).size() == 1);
@@ -77,7 +72,7 @@ TEST_CASE("with some faces wanted, exactly the pairs with a wanted face are foun
     for (std::size_t i = 0; i < 3; ++i)
       vertices.push_back({x + chance.below(9), y + chance.below(9), z + chance.below(9)});
   }
-  const FaceMesh mesh = mesh_of(vertices, corners);
+  const FaceMesh mesh = triangles_of(vertices, corners);
   FaceList faces;
   for (std::uint32_t face = count; face > 10; --face) faces.push_back(face - 1);
   const Pairs all = intersecting_faces(mesh, faces);

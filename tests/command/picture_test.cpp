@@ -95,10 +95,8 @@ void check_brighter_towards_light(const Picture& picture, int tolerance) {
 // A wall of two triangles from the viewer's feet into the distance, and the normals of its near and
 // far side.
 FaceMesh long_wall(const Point& near, const Point& far) {
-  FaceMesh mesh;
-  mesh.vertices_mm = {{-5, 0, 0}, {5, 0, 0}, {5, 40, 0}, {-5, 40, 0}};
-  mesh.corners = {0, 1, 2, 0, 2, 3};
-  mesh.face_begin = {0, 3, 6};
+  FaceMesh mesh =
+      triangles_of({{-5, 0, 0}, {5, 0, 0}, {5, 40, 0}, {-5, 40, 0}}, {0, 1, 2, 0, 2, 3});
   mesh.polygons = {0, 0};
   mesh.normals = {near, near, far, far};
   return mesh;

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "hand_made.hpp"
 #include "meshes/point_distance.hpp"
 #include "oracle/stream.hpp"
 #include "sample_reader.hpp"
@@ -13,11 +14,9 @@ namespace {
 using namespace discmc::meshing;
 
 FaceMesh square(double size, double height) {
-  FaceMesh mesh;
-  mesh.vertices_mm = {{0, 0, height}, {size, 0, height}, {size, size, height}, {0, size, height}};
-  mesh.corners = {0, 1, 2, 0, 2, 3};
-  mesh.face_begin = {0, 3, 6};
-  return mesh;
+  return hand_made::triangles_of(
+      {{0, 0, height}, {size, 0, height}, {size, size, height}, {0, size, height}},
+      {0, 1, 2, 0, 2, 3});
 }
 
 FaceMesh moved(FaceMesh mesh, const Point& by) {

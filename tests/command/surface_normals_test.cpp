@@ -93,10 +93,10 @@ TEST_CASE("the normals of an interpolated ball are nearly its radii") {
 }
 
 TEST_CASE("normals do not depend on the triangulation of a flat part") {
-  FaceMesh mesh;  // a roof: one square leans to the left, one to the right
-  mesh.vertices_mm = {{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 0}};
-  mesh.corners = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
-  mesh.face_begin = {0, 3, 6, 9, 12};
+  // A roof: one square leans to the left, one to the right.
+  const FaceMesh mesh =
+      triangles_of({{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 0}},
+                   {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4});
   FaceMesh other = mesh;
   other.corners = {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4};
   const std::vector<Point> normals = surface_normals(mesh), of_other = surface_normals(other);
@@ -115,20 +115,15 @@ TEST_CASE("vertices at equal positions have one normal") {
 
 TEST_CASE("a triangle's normal is weighted by its angle, not by its area") {
   // The floor is nine times as long as the wall. They meet in the edge from (0,0,0) to (0,1,0).
-  FaceMesh mesh;
-  mesh.vertices_mm = {{0, 0, 0}, {9, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  mesh.corners = {0, 1, 2, 0, 2, 3};
-  mesh.face_begin = {0, 3, 6};
-  const std::vector<Point> normals = surface_normals(mesh);
+  const std::vector<Point> normals = surface_normals(
+      triangles_of({{0, 0, 0}, {9, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 1, 2, 0, 2, 3}));
   check_near(normals[0], unit_or_zero({1, 0, 1}));
   check_near(normals[1], {0, 0, 1});
   check_near(normals[3], {1, 0, 0});
 }
 
 TEST_CASE("a vertex without faces, or with normals that cancel, has no normal") {
-  FaceMesh mesh;
-  mesh.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
-  mesh.corners = {0, 1, 2, 0, 2, 1};
-  mesh.face_begin = {0, 3, 6};
+  const FaceMesh mesh =
+      triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}}, {0, 1, 2, 0, 2, 1});
   for (const Point& normal : surface_normals(mesh)) CHECK(normal == Point{});
 }
