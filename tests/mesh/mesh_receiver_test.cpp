@@ -212,7 +212,7 @@ TEST_CASE("a received mesh is interpolated by the fractions in its stream") {
   test::Line line;
   std::vector<std::uint8_t> memory(FractionSliceEncoder<std::uint8_t>::minimum_bytes(config));
   FractionSliceEncoder<std::uint8_t> encoder;
-  REQUIRE(encoder.start(config, {memory.data(), memory.size()}, line.output()) == Status::ok);
+  REQUIRE(encoder.start(config, memory_of(memory), line.output()) == Status::ok);
   REQUIRE(
       encoder.push(array.samples.data(), static_cast<std::uint32_t>(array.samples.size())).status ==
       Status::ok);

@@ -21,17 +21,6 @@ ApplicationRecord record_of(const Bytes& bytes, uint8_t kind = 1, uint32_t slice
   return {kind, slice, row, bytes.data(), bytes.size()};
 }
 
-// Repeats the call while the line is busy.
-template <class Tell>
-void until_taken(Tell tell) {
-  Status status = Status::suspended;
-  for (int tries = 0; status == Status::suspended; ++tries) {
-    if (tries > 100000) throw std::runtime_error("never taken");
-    status = tell();
-  }
-  require_ok(status);
-}
-
 // The bytes of a slice's record: its number, repeated.
 Bytes bytes_of_slice(uint32_t slice) {
   return Bytes(slice * 25, static_cast<uint8_t>(slice));
@@ -44,12 +33,12 @@ Bytes regions_with_records(size_t bytes_at_once) {
   require_ok(encoder.start({volume.depth}, line.output()));
   Bytes memory(30000);
   Extractor16 extractor;
-  require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
-                             make_sink(encoder)));
+  require_ok(
+      extractor.start({volume.width, volume.height}, 1, memory_of(memory), make_sink(encoder)));
   const uint32_t slice = volume.width * volume.height;
   for (uint32_t z = 0; z < volume.depth; ++z) {
     const Bytes bytes = bytes_of_slice(z);
-    until_taken([&] {
+    until_done([&] {
       const Status status = extractor.resume();
       return status == Status::ok ? encoder.write_record(record_of(bytes, 7, z, extractor.rows()))
                                   : status;
@@ -57,7 +46,7 @@ Bytes regions_with_records(size_t bytes_at_once) {
     reference::push_all(extractor, std::vector<uint8_t>(volume.on.begin() + z * slice,
                                                         volume.on.begin() + (z + 1) * slice));
   }
-  until_taken([&] {
+  until_done([&] {
     const Status status = extractor.resume();
     return status == Status::ok ? encoder.write_record({}) : status;
   });
@@ -71,53 +60,42 @@ Bytes slices_with_records(size_t bytes_at_once) {
   const uint32_t slice = volume.width * volume.height;
   for (uint32_t z = 0; z < volume.depth; ++z) {
     const Bytes bytes = bytes_of_slice(z);
-    until_taken([&] { return encoder.write_record(record_of(bytes, 7)); });
+    until_done([&] { return encoder.write_record(record_of(bytes, 7)); });
     for (uint32_t told = 0; told < slice;)
       told += encoder.push(&volume.on[z * slice + told], slice - told).samples;
   }
-  until_taken([&] { return encoder.write_record({}); });
-  until_taken([&] { return encoder.finish(); });
+  until_done([&] { return encoder.write_record({}); });
+  until_done([&] { return encoder.finish(); });
   return line.bytes;
 }
 
-// Separates application records from the other events.
-struct Records {
-  SinkResult accept(const Event& event) {
-    if (event.kind == Event::Kind::application)
-      records.emplace_back(event);
-    else
-      return others.accept(event);
-    return SinkResult::accepted;
+// The events are those of the volume, and the records those that were sent.
+void check_records(const Events& events) {
+  Events records, others;
+  for (const RecordedEvent& event : events)
+    (event.is(Event::Kind::application) ? records : others).push_back(event);
+  CHECK(others == events_of(volume));
+  REQUIRE(records.size() == volume.depth + 1);
+  for (uint32_t z = 0; z < volume.depth; ++z) {
+    const Event event = records[z].event();
+    const ApplicationRecord& record = *event.application;
+    CHECK(record.kind == 7);
+    CHECK(record.slice == z);
+    CHECK(record.row == 0);
+    CHECK(Bytes(record.bytes, record.bytes + record.count) == bytes_of_slice(z));
   }
-  void check() const {
-    REQUIRE(records.size() == volume.depth + 1);
-    for (uint32_t z = 0; z < volume.depth; ++z) {
-      const Event event = records[z].event();
-      const ApplicationRecord& record = *event.application;
-      CHECK(record.kind == 7);
-      CHECK(record.slice == z);
-      CHECK(record.row == 0);
-      CHECK(Bytes(record.bytes, record.bytes + record.count) == bytes_of_slice(z));
-    }
-    CHECK(records.back().event().application->count == 0);
-  }
-  Events records;
-  EventLog others;
-};
+  CHECK(records.back().event().application->count == 0);
+}
+
+constexpr Limits limits{12, 10};
 
 }  // namespace
 
 TEST_CASE("records in a stream of regions arrive and change nothing else") {
   for (const size_t bytes_at_once : {size_t{0}, size_t{1}, size_t{50}}) {
-    const Bytes stream = regions_with_records(bytes_at_once);
-    Records received;
-    Decoder decoder;
-    require_ok(decoder.start(make_sink(received)));
-    require_ok(decoder.push(stream.data(), stream.size()).status);
-    require_ok(decoder.finish());
-    received.check();
-    CHECK(decoder.report().is_complete());
-    CHECK(received.others.events == events_of(volume));
+    const Received received = decode(regions_with_records(bytes_at_once));
+    CHECK(received.report.is_complete());
+    check_records(received.events);
   }
 }
 
@@ -134,14 +112,7 @@ TEST_CASE("records in a stream of slices arrive before the following row") {
       ++records;
     }
     CHECK(records == volume.depth + 1);
-    Records received;
-    Bytes memory(Receiver::minimum_bytes({volume.width, volume.height}) + 100000);
-    SurfaceDecoder decoder;
-    require_ok(decoder.start({memory.data(), memory.size()}, make_sink(received)));
-    require_ok(decoder.push(stream.data(), stream.size()).status);
-    require_ok(decoder.finish());
-    received.check();
-    CHECK(received.others.events == events_of(volume));
+    check_records(decode_surface(stream, limits).events);
   }
 }
 
@@ -154,7 +125,7 @@ TEST_CASE("a record in a stream of slices is sent at once, with the current slic
   EventLog log;
   Bytes memory_of_surface(Receiver::minimum_bytes({volume.width, volume.height}) + 100000);
   SurfaceDecoder decoder;
-  require_ok(decoder.start({memory_of_surface.data(), memory_of_surface.size()}, make_sink(log)));
+  require_ok(decoder.start(memory_of(memory_of_surface), make_sink(log)));
   require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
   REQUIRE_FALSE(log.events.empty());
   const Event event = log.events.back().event();
@@ -180,16 +151,8 @@ TEST_CASE("a row after a record is accepted even if the record is still being se
 }
 
 TEST_CASE("a record waits behind a refused event, in streams of both kinds") {
-  for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)}) {
-    EventLog idle, busy(reference::refuses_first);
-    for (EventLog* log : {&idle, &busy}) {
-      Bytes memory(Receiver::minimum_bytes({volume.width, volume.height}) + 100000);
-      SurfaceDecoder decoder;
-      require_ok(decoder.start({memory.data(), memory.size()}, make_sink(*log)));
-      require_ok(push_stream(decoder, stream, 0));
-    }
-    CHECK(busy.events == idle.events);
-  }
+  for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)})
+    CHECK(decode_surface(stream, limits, 0, true).events == decode_surface(stream, limits).events);
 }
 
 TEST_CASE("a stream that is decoded and encoded again keeps its records") {
@@ -223,8 +186,7 @@ TEST_CASE("a record has at most 200 bytes, and is refused before a start or with
   Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
   SliceEncoder slices;
   CHECK(slices.write_record(record_of(most)) == Status::not_started);
-  require_ok(
-      slices.start(slice_config(any_header()), {memory.data(), memory.size()}, line.output()));
+  require_ok(slices.start(slice_config(any_header()), memory_of(memory), line.output()));
   CHECK(slices.write_record(record_of(too_many)) == Status::bad_record);
   require_ok(slices.write_record(record_of(most)));
   require_ok(slices.finish());
@@ -240,23 +202,12 @@ TEST_CASE("a record is refused once the scan has ended, even if the output is bu
     Extractor32 extractor;
     Bytes room(Extractor32::minimum_bytes({1, 1}));
     require_ok(encoder.start({}, line.output()));
-    require_ok(extractor.start({1, 1}, 1, {room.data(), room.size()}, make_sink(encoder)));
-    until_taken([&] { return extractor.finish(); });
+    require_ok(extractor.start({1, 1}, 1, memory_of(room), make_sink(encoder)));
+    until_done([&] { return extractor.finish(); });
     CHECK(encoder.write_record(record_of(bytes)) == Status::finished);
     while (encoder.flush() == Status::suspended) continue;
     CHECK(encoder.write_record(record_of(bytes)) == Status::finished);
     CHECK(decode(line.bytes).report.repeated_packets == 0);
-
-    Line other(bytes_at_once);
-    SliceEncoder slices;
-    Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
-    require_ok(
-        slices.start(slice_config(any_header()), {memory.data(), memory.size()}, other.output()));
-    (void)slices.finish();
-    CHECK(slices.write_record(record_of(bytes)) == Status::finished);
-    until_taken([&] { return slices.finish(); });
-    CHECK(slices.write_record(record_of(bytes)) == Status::finished);
-    CHECK(decode_slices(other.bytes, {1, 1, 1}).report.is_complete());
   }
 }
 

@@ -29,8 +29,8 @@ constexpr uint32_t all_rows = 20 * 16;
 struct RegionScan {
   explicit RegionScan(LimitedLine& line) {
     require_ok(encoder.start(header_of(volume).label(), line.output()));
-    require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
-                               make_sink(encoder)));
+    require_ok(
+        extractor.start({volume.width, volume.height}, 1, memory_of(memory), make_sink(encoder)));
     REQUIRE(push_rows(extractor, row, all_rows) == Status::suspended);
     ++row;  // the row that suspended the scan was accepted
   }
@@ -173,7 +173,7 @@ TEST_CASE("a zero ends a cut frame once, before the next stream") {
   Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
   SliceEncoder encoder;
   const auto start = [&](const ByteOutput& output) {
-    require_ok(encoder.start({{1, 1}}, {memory.data(), memory.size()}, output));
+    require_ok(encoder.start({{1, 1}}, memory_of(memory), output));
     return encoder.resume();
   };
   CHECK(start(line.output()) == Status::suspended);
@@ -203,8 +203,8 @@ TEST_CASE("a stream that begins within a cut frame of another stream is complete
         Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
         SliceEncoder encoder;
         for (const Status status : {Status::suspended, Status::ok}) {
-          require_ok(encoder.start(slice_config(header_of(volume)), {memory.data(), memory.size()},
-                                   line.output()));
+          require_ok(
+              encoder.start(slice_config(header_of(volume)), memory_of(memory), line.output()));
           CHECK(push_rows(encoder, row, all_rows) == status);
           row = 0;
           line.room = SIZE_MAX;
@@ -214,8 +214,7 @@ TEST_CASE("a stream that begins within a cut frame of another stream is complete
         RegionScan scan(line);
         line.room = SIZE_MAX;
         require_ok(scan.encoder.start(header_of(volume).label(), line.output()));
-        require_ok(scan.extractor.start({volume.width, volume.height}, 1,
-                                        {scan.memory.data(), scan.memory.size()},
+        require_ok(scan.extractor.start({volume.width, volume.height}, 1, memory_of(scan.memory),
                                         make_sink(scan.encoder)));
         require_ok(push_rows(scan.extractor, row, all_rows));
         require_ok(scan.extractor.finish());

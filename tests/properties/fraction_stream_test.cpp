@@ -28,7 +28,7 @@ SampleVolume<Sample> wave(const Size& size, int32_t middle, int32_t height) {
         noise = noise * 1664525 + 1013904223;
         const auto hill = static_cast<int32_t>((x * y + 3 * x * z + 5 * y * z) % 64) - 32;
         const auto roughness = static_cast<int32_t>((noise >> 24) % 16) - 8;
-        volume.at.push_back(static_cast<Sample>(middle + height * (hill + roughness) / 40));
+        volume.samples.push_back(static_cast<Sample>(middle + height * (hill + roughness) / 40));
       }
   return volume;
 }
@@ -54,7 +54,7 @@ void check_all_plans(const SampleVolume<Sample>& volume, int32_t threshold) {
         SliceEncoderConfig config = config_of(volume, threshold, levels);
         config.key_slice_interval = interval;
         FractionSliceEncoder<Sample> encoder;
-        const Bytes stream = encode_samples(encoder, config, volume.at, plan);
+        const Bytes stream = encode_samples(encoder, config, volume.samples, plan);
         const ReceivedRows received =
             decode_slices(stream, volume.size, bytes_at_once, bytes_at_once > 0, 1, levels);
         CHECK(received.report.is_complete());
@@ -79,8 +79,8 @@ TEST_CASE("fractions arrive as the samples of any type give them") {
 TEST_CASE("samples at the ends of their type have fractions for every threshold") {
   const Size size{40, 5, 4};
   SampleVolume<uint16_t> ends = wave<uint16_t>(size, 32768, 1);
-  for (size_t i = 0; i < ends.at.size(); ++i)
-    ends.at[i] = i * 7 % 3 == 0 ? 0 : i * 5 % 2 == 0 ? UINT16_MAX : 1;
+  for (size_t i = 0; i < ends.samples.size(); ++i)
+    ends.samples[i] = i * 7 % 3 == 0 ? 0 : i * 5 % 2 == 0 ? UINT16_MAX : 1;
   for (const int32_t threshold : {INT32_MIN, -1, 0, 1, 2, 65535, 65536, INT32_MAX})
     check_all_plans(ends, threshold);
 }
@@ -88,13 +88,13 @@ TEST_CASE("samples at the ends of their type have fractions for every threshold"
 TEST_CASE("samples that are not consecutive have the same fractions") {
   const SampleVolume<int16_t> volume = wave<int16_t>({33, 6, 4}, 0, 500);
   const SliceEncoderConfig config = config_of(volume, 10, 4);
-  std::vector<int16_t> apart(3 * volume.at.size());
-  for (size_t i = 0; i < volume.at.size(); ++i) apart[3 * i] = volume.at[i];
+  std::vector<int16_t> apart(3 * volume.samples.size());
+  for (size_t i = 0; i < volume.samples.size(); ++i) apart[3 * i] = volume.samples[i];
   Block block(FractionSliceEncoder<int16_t>::minimum_bytes(config));
   Line line;
   FractionSliceEncoder<int16_t> encoder;
   REQUIRE(encoder.start(config, block.memory(), line.output()) == Status::ok);
-  const auto count = static_cast<uint32_t>(volume.at.size());
+  const auto count = static_cast<uint32_t>(volume.samples.size());
   CHECK(encoder.push(apart.data(), count, 3).samples == count);
   REQUIRE(encoder.finish() == Status::ok);
   const ReceivedRows received = decode_slices(line.bytes, volume.size, 0, false, 1, 4);
@@ -138,7 +138,7 @@ TEST_CASE("every surface of a stream has its fractions") {
   config.surface_count = 4;
   config.key_slice_interval = 2;
   FractionSliceEncoder<int16_t> encoder;
-  const Bytes stream = encode_samples(encoder, config, volume.at, {2, 11, 7});
+  const Bytes stream = encode_samples(encoder, config, volume.samples, {2, 11, 7});
   const ReceivedRows received = decode_slices(stream, volume.size, 13, true, 4, 2);
   CHECK(received.report.is_complete());
   for (uint8_t channel = 0; channel < 4; ++channel)
@@ -151,7 +151,7 @@ TEST_CASE("a checkpoint after any rows continues a stream with fractions with th
     SliceEncoderConfig config = config_of(volume, 500, 4);
     config.key_slice_interval = interval;
     FractionSliceEncoder<uint16_t> encoder;
-    const Bytes whole = encode_samples(encoder, config, volume.at, {interval});
+    const Bytes whole = encode_samples(encoder, config, volume.samples, {interval});
     Block block(FractionSliceEncoder<uint16_t>::minimum_bytes(config));
     Line line;
     REQUIRE(encoder.start(config, block.memory(), line.output()) == Status::ok);
@@ -437,8 +437,7 @@ namespace {
 template <class Sample>
 void check_golden(const char* name, const Bytes& made, const SampleVolume<Sample>& volume,
                   std::initializer_list<int32_t> thresholds, uint32_t levels) {
-  const Bytes bytes = golden(name);
-  CHECK_MESSAGE(made == bytes, "the encoder now makes", hex(made));
+  const Bytes bytes = golden_of(name, made);
   const auto surfaces = static_cast<uint32_t>(thresholds.size());
   const ReceivedRows received = decode_slices(bytes, volume.size, 0, false, surfaces, levels);
   CHECK(received.report.is_complete());
@@ -474,7 +473,7 @@ TEST_CASE("fractions with 2 levels match their golden stream") {
   const SampleVolume<int16_t> volume = wave<int16_t>({40, 12, 6}, -200, 900);
   SliceEncoderConfig config = config_of(volume, -150, 2);
   FractionSliceEncoder<int16_t> encoder;
-  check_golden("fractions_halves.dmc", encode_samples(encoder, config, volume.at, {}), volume,
+  check_golden("fractions_halves.dmc", encode_samples(encoder, config, volume.samples, {}), volume,
                {-150}, 2);
 }
 

@@ -367,7 +367,7 @@ std::vector<Events> scans_on(uint8_t channel, const Bytes& received) {
   EventLog log;
   Bytes memory(Receiver::minimum_bytes(limits, 2) + 20000);
   Receiver receiver;
-  reference::require_ok(receiver.start({memory.data(), memory.size()}, make_sink(log), channel));
+  reference::require_ok(receiver.start(memory_of(memory), make_sink(log), channel));
   for (size_t at = 0;;) {
     const Decoded decoded = receiver.push(received.data() + at, received.size() - at);
     at += decoded.bytes;

@@ -34,15 +34,6 @@ Bytes mixed(const Bytes& first, const Bytes& second) {
   return joined(frames);
 }
 
-Received decode_channel(const Bytes& bytes, uint8_t channel) {
-  EventLog log;
-  Decoder decoder;
-  require_ok(decoder.start(make_sink(log), channel));
-  const Status status = decoder.push(bytes.data(), bytes.size()).status;
-  require_ok(decoder.finish());
-  return {log.events, decoder.report(), decoder.header(), status};
-}
-
 Bytes slices_of(const StreamHeader& header, const BitVolume& volume) {
   Line line;
   StartedSliceEncoder encoder(header, line.output());
@@ -63,7 +54,7 @@ std::vector<ReportedScan> scans_on(uint8_t channel, const Bytes& link, size_t ch
   EventLog log(std::move(refuses));
   Bytes memory(Receiver::minimum_bytes({20, 20}) + 100000);
   Receiver receiver;
-  require_ok(receiver.start({memory.data(), memory.size()}, make_sink(log), channel));
+  require_ok(receiver.start(memory_of(memory), make_sink(log), channel));
   for (size_t at = 0; at < link.size();) {
     const size_t left = link.size() - at;
     Decoded decoded = receiver.push(link.data() + at, std::min(chunk, left));
@@ -87,8 +78,7 @@ struct Group {
   explicit Group(const Limits& limits) : surfaces(extractors, count, limits.width) {
     for (uint32_t i = 0; i < count; ++i) {
       memory[i].resize(5000);
-      require_ok(
-          extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
+      require_ok(extractors[i].start(limits, 1, memory_of(memory[i]), make_sink(logs[i])));
     }
   }
   Bytes memory[count];
@@ -166,20 +156,15 @@ TEST_CASE("three channels of one link are separated, for any kind of stream") {
                                  encode(events_of(volumes[1]), named(volumes[1], 7, 1))),
                            slices_of(named(volumes[2], 7, 63), volumes[2]));
   for (const uint8_t channel : {uint8_t{0}, uint8_t{1}}) {
-    const Received received = decode_channel(link, channel);
+    const Received received = decode(link, 0, false, channel);
     CHECK(received.events == events_of(volumes[channel]));
     CHECK(received.header.channel == channel);
     CHECK(received.report.is_complete());
   }
-  EventLog log;
-  Bytes memory(Receiver::minimum_bytes({20, 20}) + 100000);
-  SurfaceDecoder decoder;
-  require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log), 63));
-  require_ok(decoder.push(link.data(), link.size()).status);
-  require_ok(decoder.finish());
-  CHECK(log.events == events_of(volumes[2]));
-  CHECK(decoder.report().is_complete());
-  const Received nothing = decode_channel(link, 2);
+  const Received slices = decode_surface(link, {20, 20}, 0, false, 63);
+  CHECK(slices.events == events_of(volumes[2]));
+  CHECK(slices.report.is_complete());
+  const Received nothing = decode(link, 0, false, 2);
   CHECK(nothing.events.empty());
   CHECK_FALSE(nothing.report.has_header);
 }
@@ -191,7 +176,7 @@ TEST_CASE("an encoder numbers the scans that follow its first") {
   require_ok(encoder.start({1, {}, 65534, 9}, line.output()));
   Bytes memory(2000);
   Extractor16 extractor;
-  require_ok(extractor.start({1, 1}, 1, {memory.data(), memory.size()}, make_sink(encoder)));
+  require_ok(extractor.start({1, 1}, 1, memory_of(memory), make_sink(encoder)));
   for (const uint16_t scan : {uint16_t{65534}, uint16_t{65535}, uint16_t{0}}) {
     reference::push_all(extractor, voxel.on);
     reference::finish_all(extractor);
@@ -210,8 +195,7 @@ TEST_CASE("the header contains the extractor's limits and threshold, and the lab
   require_ok(encoder.start({5, {1000, -2000, 3000}, 77, 3}, line.output()));
   Bytes memory(20000);
   Extractor16 extractor;
-  require_ok(extractor.start({40, 30, Border::open}, -9, {memory.data(), memory.size()},
-                             make_sink(encoder)));
+  require_ok(extractor.start({40, 30, Border::open}, -9, memory_of(memory), make_sink(encoder)));
   CHECK(encoder.flush() == Status::ok);
   EventLog log;
   Decoder decoder;
@@ -231,7 +215,7 @@ TEST_CASE("the spacing of an extractor is also that of the stream") {
   Bytes memory(detail::sizing::minimum_bytes<uint16_t, Normals>({8, 8}));
   NormalExtractor16<uint8_t> extractor;
   extractor.set_spacing({1000, 2000, -3000});
-  require_ok(extractor.start({8, 8}, 1, {memory.data(), memory.size()}, make_sink(encoder)));
+  require_ok(extractor.start({8, 8}, 1, memory_of(memory), make_sink(encoder)));
   CHECK(encoder.flush() == Status::ok);
   const StreamHeader header = decode(line.bytes).header;
   CHECK(header.spacing_nm[0] == 1000);
@@ -257,8 +241,8 @@ TEST_CASE("several surfaces of a scan share a link frame by frame, even if the l
     for (uint8_t i = 0; i < 3; ++i) {
       memory[i].resize(20000 + 30000U * i);
       require_ok(encoders[i].start({size.depth, {}, 4, i}, link.output()));
-      require_ok(extractors[i].start({size.width, size.height}, thresholds[i],
-                                     {memory[i].data(), memory[i].size()}, make_sink(encoders[i])));
+      require_ok(extractors[i].start({size.width, size.height}, thresholds[i], memory_of(memory[i]),
+                                     make_sink(encoders[i])));
     }
     SurfaceGroup<Extractor16> surfaces(extractors, 3, size.width);
     const auto all = static_cast<uint32_t>(samples.size());
@@ -268,14 +252,12 @@ TEST_CASE("several surfaces of a scan share a link frame by frame, even if the l
       REQUIRE((result.status == Status::ok || result.status == Status::suspended));
       told += result.samples;
     }
-    Status status = Status::suspended;
-    while (status == Status::suspended) status = surfaces.finish();
-    require_ok(status);
+    reference::finish_all(surfaces);
     while (link.flush() == Status::suspended) continue;
     for (uint8_t i = 0; i < 3; ++i) {
       BitVolume volume(size);
       for (uint32_t at = 0; at < all; ++at) volume.on[at] = samples[at] >= thresholds[i] ? 1 : 0;
-      const Received received = decode_channel(line.bytes, i);
+      const Received received = decode(line.bytes, 0, false, i);
       CHECK(received.report.is_complete());
       CHECK(received.header.thresholds[0] == thresholds[i]);
       EventLog alone;
@@ -304,7 +286,7 @@ TEST_CASE("a group pushes rows of bits and skips rows like its extractors") {
   for (int i = 0; i < 2; ++i) {
     Bytes other(5000);
     Extractor16 extractor;
-    require_ok(extractor.start(limits, 1, {other.data(), other.size()}, make_sink(alone[i])));
+    require_ok(extractor.start(limits, 1, memory_of(other), make_sink(alone[i])));
     require_ok(extractor.push_bits(bits + 2 * i).status);
     require_ok(extractor.skip_row(Substitute::previous_row).status);
     require_ok(extractor.push(bits, 3).status);
@@ -356,13 +338,11 @@ TEST_CASE("a group waits for any busy sink, and counts only rows that all extrac
       REQUIRE(told == 9);
     }
     CHECK(waits > 20);
-    Status status = Status::suspended;
-    while (status == Status::suspended) status = group.surfaces.finish();
-    require_ok(status);
+    reference::finish_all(group.surfaces);
     EventLog alone;
     Bytes other(5000);
     Extractor16 extractor;
-    require_ok(extractor.start(limits, 1, {other.data(), other.size()}, make_sink(alone)));
+    require_ok(extractor.start(limits, 1, memory_of(other), make_sink(alone)));
     for (uint32_t row = 0; row < 24; ++row)
       require_ok((row % 5 == 2   ? extractor.push_bits(bits)
                   : row % 5 == 4 ? extractor.skip_row(Substitute::previous_row)

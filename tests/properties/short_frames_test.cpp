@@ -106,7 +106,7 @@ TEST_CASE("short frames carry all slices of several surfaces") {
       EventLog log;
       Bytes room(Receiver::minimum_bytes({volume.width, volume.height}, 2) + 500000);
       Receiver receiver;
-      require_ok(receiver.start({room.data(), room.size()}, make_sink(log)));
+      require_ok(receiver.start(memory_of(room), make_sink(log)));
       CHECK(receiver.push(line.bytes.data(), line.bytes.size()).status == Status::finished);
       CHECK(receiver.report().is_complete());
       CHECK(log.events == events_of(volume));
@@ -122,7 +122,7 @@ TEST_CASE("frame lengths outside the limits of ByteOutput are refused") {
     header.width = header.height = 4;
     Bytes memory(SliceEncoder::minimum_bytes({{4, 4}}));
     SliceEncoder slices;
-    CHECK(slices.start(slice_config(header), {memory.data(), memory.size()},
-                       limited(line, length)) == Status::bad_sink);
+    CHECK(slices.start(slice_config(header), memory_of(memory), limited(line, length)) ==
+          Status::bad_sink);
   }
 }

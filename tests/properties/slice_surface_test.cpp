@@ -11,23 +11,6 @@ using reference::Plan;
 
 namespace {
 
-struct Surface {
-  Events events;
-  StreamReport report;
-  Status status;
-};
-
-Surface decode_surface(const Bytes& stream, const Limits& limits, size_t chunk = 0,
-                       bool refuses = false) {
-  EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
-  reference::Block block(Receiver::minimum_bytes(limits) + 200000);
-  SurfaceDecoder decoder;
-  reference::require_ok(decoder.start(block.memory(), make_sink(log)));
-  const Status status = push_stream(decoder, stream, chunk);
-  CHECK(block.is_intact());
-  return {log.events, decoder.report(), status};
-}
-
 // A scan with missing rows, for an extractor and for a slice encoder. The first row of a key slice
 // has no row before it.
 template <class Scanner>
@@ -49,7 +32,7 @@ Events swept(const BitVolume& volume, Border border, bool skips) {
   const Limits limits{volume.width, volume.height, border};
   Bytes memory(Extractor32::minimum_bytes(limits) + 200000);
   Extractor32 extractor;
-  reference::require_ok(extractor.start(limits, 1, {memory.data(), memory.size()}, make_sink(log)));
+  reference::require_ok(extractor.start(limits, 1, memory_of(memory), make_sink(log)));
   scan(extractor, volume, skips);
   return log.events;
 }
@@ -78,26 +61,12 @@ TEST_CASE("a stream of slices yields the events of an extractor with the same ro
           const Events events = swept(volume, border, skips);
           for (const size_t chunk : {0U, 1U, 100U})
             for (const bool refuses : {false, true}) {
-              const Surface surface = decode_surface(stream, limits, chunk, refuses);
+              const Received surface = decode_surface(stream, limits, chunk, refuses);
               CHECK(surface.status == Status::ok);
               CHECK(surface.report.is_complete());
               CHECK(surface.events == events);
             }
         }
-}
-
-TEST_CASE("a surface decoder decodes a stream of regions without any memory") {
-  const BitVolume volume = volumes()[0];
-  const Events events = swept(volume, Border::closed, false);
-  const Bytes stream = encode(events, header_of(volume));
-  EventLog log;
-  SurfaceDecoder decoder;
-  reference::require_ok(decoder.start({}, make_sink(log)));
-  CHECK(decoder.push(stream.data(), stream.size()).bytes == stream.size());
-  reference::require_ok(decoder.finish());
-  CHECK(decoder.report().is_complete());
-  CHECK(decoder.header().width == volume.width);
-  CHECK(log.events == decode(stream).events);
 }
 
 TEST_CASE("the surface of a stream with lost packets is closed, and lost rows are skipped") {
@@ -108,7 +77,7 @@ TEST_CASE("the surface of a stream with lost packets is closed, and lost rows ar
     CAPTURE(lost);
     std::vector<Bytes> kept = frames;
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(lost));
-    const Surface surface = decode_surface(joined(kept), {40, 40});
+    const Received surface = decode_surface(joined(kept), {40, 40});
     CHECK(surface.status == Status::ok);
     CHECK_FALSE(surface.report.is_complete());
     CHECK(surface.report.lost_rows > 0);
@@ -163,7 +132,7 @@ TEST_CASE("a call skips at most max_skipped_rows rows, whatever the stream claim
   };
   Bytes memory(Receiver::minimum_bytes({3, 2}));
   SurfaceDecoder decoder;
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
+  reference::require_ok(decoder.start(memory_of(memory), make_sink(log)));
   const Decoded decoded = decoder.push(stream.data(), stream.size());
   CHECK(decoded.status == Status::suspended);
   CHECK(skipped() == most);
@@ -183,7 +152,7 @@ TEST_CASE("a stream truncated within its first packet has no start, whatever fol
   EventLog log;
   Bytes memory(Receiver::minimum_bytes({20, 20}) + 100000);
   SurfaceDecoder decoder;
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
+  reference::require_ok(decoder.start(memory_of(memory), make_sink(log)));
   reference::require_ok(decoder.push(stream.data(), 10).status);
   reference::require_ok(decoder.finish());
   const size_t header = frames_of(stream)[0].size();
@@ -215,11 +184,11 @@ TEST_CASE("set_memory() replaces the memory that was too small") {
     EventLog log;
     SurfaceDecoder decoder;
     Bytes little(bytes), enough(Receiver::minimum_bytes(limits) + 200000);
-    reference::require_ok(decoder.start({little.data(), little.size()}, make_sink(log)));
+    reference::require_ok(decoder.start(memory_of(little), make_sink(log)));
     CHECK(decoder.push(stream.data(), head).status == Status::too_little_memory);
     const size_t least = Receiver::minimum_bytes(limits);
     CHECK(decoder.set_memory({enough.data(), least - 1}) == Status::too_little_memory);
-    reference::require_ok(decoder.set_memory({enough.data(), enough.size()}));
+    reference::require_ok(decoder.set_memory(memory_of(enough)));
     const Bytes unlike(bytes, 0xA5);
     unpoison(little.data(), little.size());  // red zones
     little = unlike;                         // the caller's memory again
@@ -236,7 +205,7 @@ TEST_CASE("refusals lose no event of a stream of slices without its end") {
   std::vector<Bytes> frames = frames_of(encoded(volume, Border::closed, false, 1));
   for (; frames.size() > 1; frames.pop_back()) {
     CAPTURE(frames.size());
-    const Surface surface = decode_surface(joined(frames), limits);
+    const Received surface = decode_surface(joined(frames), limits);
     CHECK(surface.events == decode_surface(joined(frames), limits, 0, true).events);
   }
 }

@@ -159,7 +159,7 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume and yield 
   const reference::BitVolume volume = two_slices();
   const Packet packet = packet_of(frames_of(encode_slices(volume))[1]);
   Bytes memory(SliceDecoder::minimum_bytes({4, 3}));
-  Arena arena({memory.data(), memory.size()});
+  Arena arena(memory_of(memory));
   detail::slices::CodedSurfaces surfaces;
   surfaces.start(arena, header_of(volume), detail::slices::rows_kept(3, false));
   surfaces.clear();

@@ -12,6 +12,7 @@
 #include "oracle/stream.hpp"
 #include "oracle/thinned.hpp"
 #include "shapes/bars.hpp"
+#include "shapes/combs.hpp"
 #include "shapes/saws.hpp"
 #include "shapes/tents.hpp"
 #include "test.hpp"
@@ -70,6 +71,17 @@ struct SlabScan {
     CHECK(block.is_intact());
     return log;
   }
+};
+
+// A started scan, with much memory.
+struct Started {
+  template <class Extractor>
+  Started(Extractor& extractor, const Limits& limits, const EventLog::Refuses& refuses = {})
+      : log(refuses), block(Extractor32::bytes_for(limits, much)) {
+    require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
+  }
+  EventLog log;
+  Block block;
 };
 
 // Returns the events of an extractor.
@@ -147,9 +159,7 @@ BitVolume zigzag_columns(Size size) {
 
 // Teeth with jagged sides, joined by the last rows. They are wide, so some sides are level.
 BitVolume jagged_comb(uint32_t teeth, uint32_t height) {
-  return volume_of({5 * teeth, height, 1}, [height](uint32_t x, uint32_t y, uint32_t) {
-    return (x + y % 2) % 5 < 3 || y + 2 >= height;
-  });
+  return volume_of({5 * teeth, height, 1}, shapes::Comb{5, 3, height - 2, 1});
 }
 
 // Returns a volume with y and z exchanged.
@@ -253,22 +263,7 @@ bool is_piece(const RecordedEvent& event) {
 
 std::vector<Region> regions_among(const Events& events) {
   std::vector<Region> regions;
-  Vertex at{};
-  for (const RecordedEvent& recorded : events) {
-    const Event event = recorded.event();
-    if (recorded.is(Event::Kind::region)) regions.push_back({event.incidence, {}});
-    if (recorded.is(Event::Kind::ring)) {
-      regions.back().rings.emplace_back();
-      at = event.start;
-    }
-    if (recorded.is(Event::Kind::run)) {
-      const Incidence incidence = regions.back().incidence;
-      const Ring side = vertices_of(incidence, at, {event.run});
-      Ring& ring = regions.back().rings.back();
-      ring.insert(ring.end(), side.begin(), side.end());
-      translate(at, incidence, event.run.direction(), event.run.length());
-    }
-  }
+  for (const Events& piece : test::pieces_of(events)) regions.push_back(region_of(piece));
   return canonical(std::move(regions));
 }
 
@@ -443,16 +438,13 @@ TEST_CASE("a host extractor sends the same events if any single offer is refused
 TEST_CASE("regions delivered whole equal those sent to the sink") {
   HostExtractor extractor;
   for (const BitVolume& volume : volumes()) {
-    EventLog log;
-    EverySecond receiver{log};
-    Block block(Extractor32::bytes_for(limits_of(volume, Border::closed), much));
-    require_ok(extractor.start(limits_of(volume, Border::closed), much, 1, block.memory(),
-                               make_sink(log)));
+    Started started(extractor, limits_of(volume, Border::closed));
+    EverySecond receiver{started.log};
     extractor.set_region_receiver(make_region_receiver(receiver));
     push_all(extractor, volume.on);
     finish_all(extractor);
     CHECK(receiver.offered > 0);
-    CHECK(log.events == expected_of(volume).events);
+    CHECK(started.log.events == expected_of(volume).events);
   }
 }
 
@@ -727,9 +719,7 @@ TEST_CASE("a slab without its own slice has no surface, for any corners beneath 
   for (const bool continues_above : {false, true}) {
     Limits limits = limits_of(noise, Border::closed);
     limits.slab = {7, true, continues_above};
-    Block block(Extractor32::bytes_for(limits, much));
-    EventLog log;
-    require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
+    const Started started(extractor, limits);
     require_ok(extractor.push(noise.on.data(), continues_above ? 162 : 81).status);
     finish_all(extractor);
     CHECK(extractor.statistics().cells == 0);
@@ -741,16 +731,13 @@ TEST_CASE("an abandoned slab has the same parts after any sample, even with a bu
   const BitVolume volume = random({7, 6, 7}, 128, 4);
   const auto abandoned = [](auto& extractor, const SlabScan& scan, uint32_t samples,
                             const EventLog::Refuses& refuses) {
-    EventLog log(refuses);
-    Block block(Extractor32::bytes_for(scan.limits(), much));
-    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
+    const Started started(extractor, scan.limits(), refuses);
     uint32_t pushed = 0;
     const std::vector<uint8_t> voxels = voxels_of_slab(scan.volume, scan.first, scan.end);
     while (pushed < samples)
       pushed += extractor.push(voxels.data() + pushed, samples - pushed).samples;
-    while (extractor.abandon() == Status::suspended) {
-    }
-    return log;
+    while (extractor.abandon() == Status::suspended) continue;
+    return started.log;
   };
   HostExtractor extractor;
   Extractor32 other;
@@ -771,15 +758,13 @@ TEST_CASE("a slab continues from a checkpoint in any slice, context included") {
   const EventLog expected = scan.by(extractor, much);
   const std::vector<uint8_t> voxels = voxels_of_slab(volume, 1, 6);
   for (uint32_t cut = 0; cut <= voxels.size(); cut += 130) {
-    EventLog log;
-    Block block(Extractor32::bytes_for(scan.limits(), much));
-    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
+    Started started(extractor, scan.limits());
     require_ok(extractor.push(voxels.data(), cut).status);
     HostExtractor after;
-    require_ok(test::move_scan(extractor, after, block.memory(), make_sink(log)));
+    require_ok(test::move_scan(extractor, after, started.block.memory(), make_sink(started.log)));
     require_ok(after.push(voxels.data() + cut, static_cast<uint32_t>(voxels.size()) - cut).status);
     finish_all(after);
-    CHECK(log.events == expected.events);
+    CHECK(started.log.events == expected.events);
   }
 }
 
@@ -791,17 +776,16 @@ TEST_CASE("a scan after one that stopped at a busy sink starts afresh") {
     for (const uint64_t last : {0U, 300U, 2000U}) {
       CAPTURE(last);
       bool is_first_scan = true;
-      EventLog log([&](uint64_t offer) { return is_first_scan && offer >= last; });
-      const Limits limits = limits_of(volume, border);
-      Block block(Extractor32::bytes_for(limits, much));
       HostExtractor extractor;
-      require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
+      const Limits limits = limits_of(volume, border);
+      Started started(extractor, limits,
+                      [&](uint64_t offer) { return is_first_scan && offer >= last; });
       const auto samples = static_cast<uint32_t>(volume.voxels());
       CHECK(extractor.push(volume.on.data(), samples).status == Status::suspended);
       is_first_scan = false;
       for (int scan = 0; scan < 2; ++scan) {
         EventLog next;
-        require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(next)));
+        require_ok(extractor.start(limits, much, 1, started.block.memory(), make_sink(next)));
         push_all(extractor, volume.on);
         finish_all(extractor);
         CHECK(next.events == expected.events);
@@ -816,9 +800,8 @@ TEST_CASE("a slab after one that stopped above its last slice starts afresh") {
   HostExtractor extractor;
   const EventLog expected = scan.by(extractor, much);
   for (const uint64_t left : {2U, 100U, 400U}) {
-    EventLog log([&](uint64_t offer) { return offer >= expected.events.size() - left; });
-    Block block(Extractor32::bytes_for(scan.limits(), much));
-    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
+    const Started started(extractor, scan.limits(),
+                          [&](uint64_t offer) { return offer >= expected.events.size() - left; });
     const std::vector<uint8_t> voxels = voxels_of_slab(volume, 2, 5);
     require_ok(extractor.push(voxels.data(), static_cast<uint32_t>(voxels.size())).status);
     CHECK(extractor.finish() == Status::suspended);
@@ -832,17 +815,15 @@ TEST_CASE("a checkpoint contains the nodes") {
   const auto slice = static_cast<uint32_t>(volume.width) * volume.height;
   const EventLog expected = expected_of(volume);
   for (const uint32_t cut : {slice, 4 * slice + 7 * volume.width, 7 * slice}) {
-    EventLog log;
-    Block block(Extractor32::bytes_for(limits, much));
-    Block elsewhere(block.memory().bytes);
     HostExtractor before{};
-    require_ok(before.start(limits, much, 1, block.memory(), make_sink(log)));
+    Started started(before, limits);
+    Block elsewhere(started.block.memory().bytes);
     require_ok(before.push(volume.on.data(), cut).status);
     HostExtractor after;
-    require_ok(test::move_scan(before, after, elsewhere.memory(), make_sink(log)));
+    require_ok(test::move_scan(before, after, elsewhere.memory(), make_sink(started.log)));
     require_ok(after.push(volume.on.data() + cut, 8 * slice - cut).status);
     finish_all(after);
-    CHECK(log.events == expected.events);
+    CHECK(started.log.events == expected.events);
   }
 }
 

@@ -173,6 +173,26 @@ inline Collector collected(const Events& events, const Slab& slab = {}) {
   return collector;
 }
 
+/// Returns the region of these events, from region to region_end. Likewise a fragment, as one ring.
+inline Region region_of(const Events& piece) {
+  Region region{};
+  Vertex at{};
+  for (const RecordedEvent& recorded : piece) {
+    const Event event = recorded.event();
+    const bool is_fragment = recorded.is(Event::Kind::fragment);
+    if (is_fragment || recorded.is(Event::Kind::region)) region.incidence = event.incidence;
+    if (is_fragment || recorded.is(Event::Kind::ring)) {
+      region.rings.emplace_back();
+      at = event.start;
+    }
+    if (!recorded.is(Event::Kind::run)) continue;
+    const Ring side = vertices_of(region.incidence, at, {event.run});
+    region.rings.back().insert(region.rings.back().end(), side.begin(), side.end());
+    translate(at, region.incidence, event.run.direction(), event.run.length());
+  }
+  return region;
+}
+
 /// Returns the regions, loose fragments and counts of a slab as sorted numbers, independent of
 /// their order.
 inline std::vector<std::vector<uint64_t>> sorted_parts(const Events& events) {

@@ -4,19 +4,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "volume.hpp"
+#include "gradient.hpp"
 
 namespace discmc::reference {
-
-template <class Sample>
-struct SampleVolume {
-  Size size;
-  std::vector<Sample> at;
-
-  const Sample* row(uint32_t y, uint32_t z) const {
-    return &at[(size_t{z} * size.height + y) * size.width];
-  }
-};
 
 /// Returns the distance that represents all distances of an octave. Units: halves, as the argument.
 inline uint64_t middle_of_octave(uint64_t distance) {
@@ -67,7 +57,7 @@ inline SampleVolume<uint8_t> samples_with(const BitVolume& bits) {
   uint32_t noise = 1;
   for (const uint8_t on : bits.on) {
     noise = noise * 1664525 + 1013904223;
-    volume.at.push_back(
+    volume.samples.push_back(
         static_cast<uint8_t>(on != 0 ? 100 + (noise >> 24) % 156 : (noise >> 24) % 100));
   }
   return volume;

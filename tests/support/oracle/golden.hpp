@@ -1,4 +1,4 @@
-// Reads the streams of tests/support/golden, and shows how another stream differs.
+// Reads the streams of tests/support/golden, and compares others with them.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -19,10 +19,13 @@ inline Bytes golden(const char* name) {
   return {bytes.begin(), bytes.end()};
 }
 
-inline std::string hex(const Bytes& bytes) {
+/// Likewise, and checks that the encoder made the same bytes.
+inline Bytes golden_of(const char* name, const Bytes& made) {
   std::ostringstream text;
-  for (const uint8_t byte : bytes) text << std::hex << (byte < 16 ? " 0" : " ") << int{byte};
-  return text.str();
+  for (const uint8_t byte : made) text << std::hex << (byte < 16 ? " 0" : " ") << int{byte};
+  const Bytes bytes = golden(name);
+  CHECK_MESSAGE(made == bytes, "the encoder now makes", text.str());
+  return bytes;
 }
 
 }  // namespace discmc::test

@@ -18,6 +18,7 @@ struct SampleVolume {
   const Sample* slice(uint32_t z) const {
     return samples.data() + size_t{z} * size.width * size.height;
   }
+  const Sample* row(uint32_t y, uint32_t z) const { return slice(z) + size_t{y} * size.width; }
   double at(const std::array<int64_t, 3>& v) const {
     const int64_t width = size.width, height = size.height;
     return static_cast<double>(samples[static_cast<size_t>((v[2] * height + v[1]) * width + v[0])]);

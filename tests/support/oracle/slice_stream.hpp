@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <discmc/fraction_slice_encoder.hpp>
+#include <discmc/receiver.hpp>
 #include <discmc/slice_decoder.hpp>
 #include <utility>
 
@@ -99,7 +100,7 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
     return encode_samples(encoder, config, volume.on, plan);
   }
   FractionSliceEncoder<uint8_t> encoder;
-  return encode_samples(encoder, config, reference::samples_with(volume).at, plan);
+  return encode_samples(encoder, config, reference::samples_with(volume).samples, plan);
 }
 
 /// Returns a stream that reports all its rows as lost.
@@ -215,6 +216,18 @@ inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& siz
   const Status status = push_stream(decoder, bytes, chunk);
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
   return {log.rows, decoder.report(), status};
+}
+
+/// Decodes the surface of a stream of either kind, in ample memory.
+inline Received decode_surface(const Bytes& stream, const Limits& limits, size_t chunk = 0,
+                               bool refuses = false, uint8_t channel = any_channel) {
+  EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
+  reference::Block block(Receiver::minimum_bytes(limits) + 200000);
+  SurfaceDecoder decoder;
+  reference::require_ok(decoder.start(block.memory(), make_sink(log), channel));
+  const Status status = push_stream(decoder, stream, chunk);
+  if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
+  return {log.events, decoder.report(), decoder.header(), status};
 }
 
 /// Returns the voxels of a surface, row after row.

@@ -151,10 +151,11 @@ struct Received {
 };
 
 /// Decodes `chunk` bytes at a time (0: all at once), with a sink that may refuse every event once.
-inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false) {
+inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = false,
+                       uint8_t channel = any_channel) {
   EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Decoder decoder;
-  reference::require_ok(decoder.start(make_sink(log)));
+  reference::require_ok(decoder.start(make_sink(log), channel));
   Status status = Status::ok;
   for (size_t at = 0; at < bytes.size() && status != Status::wrong_version;) {
     const size_t left = bytes.size() - at;
@@ -163,9 +164,7 @@ inline Received decode(const Bytes& bytes, size_t chunk = 0, bool refuses = fals
     at += decoded.bytes;
     status = decoded.status;
   }
-  Status end = decoder.finish();
-  while (end == Status::suspended) end = decoder.finish();
-  reference::require_ok(end);
+  reference::finish_all(decoder);
   if (decoder.push(nullptr, 0).status == Status::wrong_version) status = Status::wrong_version;
   return {log.events, decoder.report(), decoder.header(), status};
 }
