@@ -16,6 +16,7 @@
 
 #include "command/normal_angles.hpp"
 #include "command/sample_reader.hpp"
+#include "comparison/volumes.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "oracle/ramp_ball.hpp"
 #include "volumes/volume.hpp"
@@ -40,20 +41,11 @@ Exit status: 0, or 1 if a file could not be read, or 2 for an argument that is n
 
 // ---- volumes ----
 
-template <class Sample>
-void append_slices(VolumeReader& reader, std::vector<int>& samples) {
-  std::vector<Sample> slice(reader.info().slice_bytes() / sizeof(Sample));
-  for (uint32_t z = 0; z < reader.info().dims[2]; ++z) {
-    reader.read_slice(slice.data());
-    samples.insert(samples.end(), slice.begin(), slice.end());
-  }
-}
-
-reference::SampleVolume<int> samples_of(VolumeReader& reader) {
-  const VolumeInfo& info = reader.info();
-  reference::SampleVolume<int> volume{{info.dims[0], info.dims[1], info.dims[2]}, {}};
-  with_scanner_type(info.type,
-                    [&](auto type) { append_slices<decltype(type)>(reader, volume.samples); });
+reference::SampleVolume<int> samples_of(const std::string& path) {
+  const bench::Volume read = bench::read_volume(path);
+  reference::SampleVolume<int> volume{{read.width, read.height, read.depth}, {}};
+  std::visit([&](const auto& samples) { volume.samples.assign(samples.begin(), samples.end()); },
+             read.samples);
   return volume;
 }
 
@@ -141,7 +133,7 @@ void measure_file(const File& file) {
   set_gradient_normals(*open_volume(file.path), mesh);
   const std::string name = file.path.substr(file.path.rfind('/') + 1);
   print_row(name + " at " + std::to_string(file.threshold), mesh,
-            compare(mesh, samples_of(*open_volume(file.path))));
+            compare(mesh, samples_of(file.path)));
 }
 
 void print_balls(const std::vector<Ball>& balls) {

@@ -3,12 +3,12 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "bench/comparison/volumes.hpp"
 #include "command/described_volumes.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
 #include "test.hpp"
-#include "volumes/volume.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -28,46 +28,23 @@ std::vector<command::DescribedVolume> scans() {
   return scans;
 }
 
-template <class Sample>
-void threshold_slices(command::VolumeReader& reader, int32_t threshold, BitVolume& volume) {
-  std::vector<Sample> slice(size_t{volume.width} * volume.height);
-  auto voxel = volume.on.begin();
-  for (uint32_t z = 0; z < volume.depth; ++z) {
-    reader.read_slice(slice.data());
-    for (const Sample sample : slice) *voxel++ = sample >= threshold ? 1 : 0;
-  }
-}
-
 BitVolume read(const fs::path& file, int32_t threshold) {
-  const auto reader = command::open_volume(file);
-  const command::VolumeInfo& info = reader->info();
-  BitVolume volume({info.dims[0], info.dims[1], info.dims[2]});
-  command::with_scanner_type(
-      info.type, [&](auto type) { threshold_slices<decltype(type)>(*reader, threshold, volume); });
+  bench::Volume samples = bench::read_volume(file);
+  samples.threshold = threshold;
+  BitVolume volume({samples.width, samples.height, samples.depth});
+  volume.on = bench::voxels_on(samples);
   return volume;
-}
-
-// Pushes the samples slice by slice, as read from the file.
-template <class Index, class Sample>
-void push_slices(Extractor<Index>& extractor, command::VolumeReader& reader) {
-  std::vector<Sample> slice(size_t{extractor.limits().width} * extractor.limits().height);
-  for (uint32_t z = 0; z < reader.info().dims[2]; ++z) {
-    reader.read_slice(slice.data());
-    push_all(extractor, slice);
-  }
 }
 
 template <class Index>
 Collector sweep(const fs::path& file, int32_t threshold, Border border, uint64_t bytes) {
-  const auto reader = command::open_volume(file);
-  const command::VolumeInfo& info = reader->info();
+  const bench::Volume volume = bench::read_volume(file);
   Collector collector;
   Block block(bytes);
   Extractor<Index> extractor;
-  require_ok(extractor.start({info.dims[0], info.dims[1], border}, threshold, block.memory(),
+  require_ok(extractor.start({volume.width, volume.height, border}, threshold, block.memory(),
                              collector.sink()));
-  command::with_scanner_type(
-      info.type, [&](auto type) { push_slices<Index, decltype(type)>(extractor, *reader); });
+  std::visit([&](const auto& samples) { push_all(extractor, samples); }, volume.samples);
   finish_all(extractor);
   CHECK(block.is_intact());
   return collector;

@@ -76,12 +76,8 @@ Volume smooth_noise(uint32_t extent) {
   std::vector<uint16_t> samples(slice * extent);
   for (uint16_t& sample : samples) sample = static_cast<uint16_t>(random() & 0xFF);
   for (const size_t distance : {size_t{1}, row, slice}) add_neighbours(samples, distance, extent);
-  return {"smooth noise" + extents(extent),
-          extent,
-          extent,
-          extent,
-          5 * 5 * 5 * 255 / 2,
-          std::move(samples)};
+  constexpr int32_t threshold = 5 * 5 * 5 * 255 / 2;
+  return {"smooth noise" + extents(extent), extent, extent, extent, threshold, std::move(samples)};
 }
 
 Volume checkerboard(uint32_t extent) {

@@ -43,13 +43,9 @@ Volume checkerboard(uint32_t extent);
 /// No voxel is on. Sample: uint8_t or uint16_t.
 template <class Sample>
 Volume empty(uint32_t extent) {
-  const size_t voxels = size_t{extent} * extent * extent;
-  return {"empty " + std::to_string(extent) + "^3, " + std::to_string(8 * sizeof(Sample)) + " bits",
-          extent,
-          extent,
-          extent,
-          128,
-          std::vector<Sample>(voxels)};
+  const std::string name =
+      "empty " + std::to_string(extent) + "^3, " + std::to_string(8 * sizeof(Sample)) + " bits";
+  return {name, extent, extent, extent, 128, std::vector<Sample>(size_t{extent} * extent * extent)};
 }
 
 /// 1 for an on voxel, else 0.
