@@ -28,8 +28,7 @@ BlockProver::BlockProver(const Tables& tables)
     : tables_(tables), forest_(tables.groups), check_(tables.lattice) {
   const Limits limits{side, side, tables.border};
   memory_.resize(Extractor16::bytes_for(limits, capacities));
-  require_ok(
-      extractor_.start(limits, capacities, 1, {memory_.data(), memory_.size()}, make_sink(check_)));
+  require_ok(extractor_.start(limits, capacities, 1, memory_of(memory_), make_sink(check_)));
 }
 
 uint64_t BlockProver::prove(uint32_t slice, uint32_t share) {

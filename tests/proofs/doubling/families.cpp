@@ -19,6 +19,19 @@ uint32_t from_rim(uint32_t n, uint32_t x, uint32_t y) {
   return std::min({x, y, n - 1 - x, n - 1 - y});
 }
 
+template <bool has_islands>
+BitVolume plate(uint32_t n) {
+  return volume_of({n, n, 1}, [n](auto x, auto y, auto) { return is_plate(n, x, y, has_islands); });
+}
+template <BitVolume (*make)(Size), uint32_t depth>
+BitVolume square(uint32_t n) {
+  return make({n, n, depth});
+}
+template <uint32_t depth, uint32_t density, uint64_t seed>
+BitVolume square_noise(uint32_t n) {
+  return random({n, n, depth}, density, seed);
+}
+
 }  // namespace
 
 const Family families[] = {
@@ -28,14 +41,8 @@ const Family families[] = {
        const int64_t radius = n / 2 - 1;
        return ball({n, n, n}, {centre, centre, centre}, radius * radius);
      }},
-    {"plate with holes", 256,
-     [](uint32_t n) {
-       return volume_of({n, n, 1}, [n](auto x, auto y, auto) { return is_plate(n, x, y, false); });
-     }},
-    {"plate with islands", 256,
-     [](uint32_t n) {
-       return volume_of({n, n, 1}, [n](auto x, auto y, auto) { return is_plate(n, x, y, true); });
-     }},
+    {"plate with holes", 256, plate<false>},
+    {"plate with islands", 256, plate<true>},
     // The same holes on every second slice: as many planes as holes per row.
     {"many plates with islands", 64,
      [](uint32_t n) {
@@ -56,10 +63,7 @@ const Family families[] = {
        return volume_of(
            {n, n, 4}, [](auto x, auto y, auto z) { return x % 4 > 1 || y % 4 > 1 || z % 3 == 0; });
      }},
-    {"comb", 128,
-     [](uint32_t n) {
-       return comb({n, n, 2});
-     }},
+    {"comb", 128, square<comb, 2>},
     // Teeth that point up and down alternately, joined at the first and the last row.
     {"meander", 128,
      [](uint32_t n) {
@@ -67,10 +71,7 @@ const Family families[] = {
          return x % 2 == 0 || (x % 4 == 1 ? y == 0 : y + 1 == n);
        });
      }},
-    {"spiral", 128,
-     [](uint32_t n) {
-       return spiral({n, n, 3});
-     }},
+    {"spiral", 128, square<spiral, 3>},
     {"walls", 128,
      [](uint32_t n) {
        return volume_of({n, n, 8}, [](auto x, auto, auto) { return x % 4 < 2; });
@@ -132,34 +133,13 @@ const Family families[] = {
        return volume_of({n, n, 6},
                         [](auto x, auto y, auto z) { return z > 3 || (x % 4 < 2 && y % 4 < 2); });
      }},
-    {"checkerboard", 48,
-     [](uint32_t n) {
-       return checkerboard({n, n, 4});
-     }},
-    {"columns", 48,
-     [](uint32_t n) {
-       return columns({n, n, 8});
-     }},
-    {"tiling 61", 48,
-     [](uint32_t n) {
-       return tiling_61({n, n, 4});
-     }},
-    {"noise", 48,
-     [](uint32_t n) {
-       return random({n, n, 4}, 128, 1);
-     }},
-    {"sparse noise", 64,
-     [](uint32_t n) {
-       return random({n, n, 8}, 25, 2);
-     }},
-    {"dense noise", 64,
-     [](uint32_t n) {
-       return random({n, n, 8}, 230, 3);
-     }},
-    {"noise on a plane", 96,
-     [](uint32_t n) {
-       return random({n, n, 1}, 170, 4);
-     }},
+    {"checkerboard", 48, square<checkerboard, 4>},
+    {"columns", 48, square<columns, 8>},
+    {"tiling 61", 48, square<tiling_61, 4>},
+    {"noise", 48, square_noise<4, 128, 1>},
+    {"sparse noise", 64, square_noise<8, 25, 2>},
+    {"dense noise", 64, square_noise<8, 230, 3>},
+    {"noise on a plane", 96, square_noise<1, 170, 4>},
 };
 const size_t family_count = sizeof families / sizeof families[0];
 

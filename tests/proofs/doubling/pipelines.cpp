@@ -92,7 +92,7 @@ class Joined {
   Joined(const Scanned& scanned, InputOrder order, Part before)
       : end_(nowhere_, tests, joiner), begin_(joiner_, joiner, before) {
     memory_.resize(1000 + 256 * scanned.vertices);
-    require_ok(joiner_.start({memory_.data(), memory_.size()}, make_sink(end_), order));
+    require_ok(joiner_.start(memory_of(memory_), make_sink(end_), order));
     efforts->of[joiner].work += joiner_.capacities().fragments / 3;
   }
   Sink sink() { return make_sink(begin_); }
@@ -204,11 +204,10 @@ class Sliced {
   explicit Sliced(const BitVolume& volume) {
     const Limits limits{volume.width, volume.height};
     memory_.resize(SliceDecoder::minimum_bytes(limits));
-    require_ok(decoder_.start({memory_.data(), memory_.size()}, make_row_sink(nowhere_)));
+    require_ok(decoder_.start(memory_of(memory_), make_row_sink(nowhere_)));
     slices_.resize(SliceEncoder::minimum_bytes({limits}));
     const StreamHeader header{volume.width, volume.height, volume.depth, {}, {1}};
-    require_ok(
-        encoder_.start(test::slice_config(header), {slices_.data(), slices_.size()}, output()));
+    require_ok(encoder_.start(test::slice_config(header), memory_of(slices_), output()));
   }
   void run(const BitVolume& volume) {
     const Running part(encoder);

@@ -17,7 +17,7 @@ namespace discmc::torture {
 class Refusals {
  public:
   Refusals(uint32_t of_256, uint32_t seed) : of_256_(of_256), seed_(seed) {}
-  bool refuses() { return of_256_ > 0 && mixed(seed_ + ++offers_) >> 56 < of_256_; }
+  bool refuses() { return of_256_ > 0 && reference::mix(seed_ + ++offers_) >> 56 < of_256_; }
 
  private:
   uint32_t of_256_;
@@ -95,9 +95,7 @@ inline Surface joined(const std::vector<Pieces>& slabs, uint32_t slices_below, I
   Joiner joiner;
   reference::require_ok(joiner.start(capacities, block.memory(), make_sink(sink), order));
   for (const Pieces& pieces : slabs) pieces.send_to(joiner);
-  Status status = joiner.finish();
-  while (status == Status::suspended) status = joiner.finish();
-  reference::require_ok(status);
+  reference::finish_all(joiner);
   const JoinReport& report = joiner.report();
   if (!block.is_intact()) throw std::runtime_error("a write outside the joiner's memory");
   if (report.unmatched + report.invalid + report.short_of_memory != 0)

@@ -12,14 +12,9 @@
 #include <vector>
 
 #include "oracle/event_log.hpp"
+#include "oracle/surface.hpp"
 
 namespace discmc::torture {
-
-inline uint64_t mixed(uint64_t value) {
-  value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9;
-  value = (value ^ (value >> 27)) * 0x94D049BB133111EB;
-  return value ^ (value >> 31);
-}
 
 /// A sink for whole regions. Errors: throws if a loose fragment arrives.
 class Surface {
@@ -43,7 +38,7 @@ class Surface {
         break;
       case Event::Kind::region_end:
         end_ring();
-        region_.number = mixed(region_.number);
+        region_.number = reference::mix(region_.number);
         regions_.push_back(region_);
         break;
       case Event::Kind::finish:
@@ -115,16 +110,16 @@ class Surface {
     const auto part = [](int32_t value) {
       return static_cast<uint64_t>(static_cast<uint32_t>(value));
     };
-    uint64_t number = mixed(part(corner.x) << 32 | part(corner.y));
-    number = mixed(number + part(corner.z));
-    ring_ += mixed(number + (uint64_t{in} << 8 | uint64_t{out} << 16 | incidence_));
+    uint64_t number = reference::mix(part(corner.x) << 32 | part(corner.y));
+    number = reference::mix(number + part(corner.z));
+    ring_ += reference::mix(number + (uint64_t{in} << 8 | uint64_t{out} << 16 | incidence_));
   }
 
   void end_ring() {
     if (rings_ == 0 || runs_ == 0) return;
     if (at_ != start_) throw std::runtime_error("a ring that is not closed");
     turn(last_, first_, start_);
-    region_.number += mixed(ring_ + (is_hole_ ? 1 : 0));
+    region_.number += reference::mix(ring_ + (is_hole_ ? 1 : 0));
     runs_ = 0;
   }
 
