@@ -18,11 +18,20 @@ std::string message_of(Call call) {
   return "no error";
 }
 
+std::string mesh_error(const std::array<std::int64_t, 3>& size, const Level& level = 1,
+                       const MeshOptions& options = {}) {
+  return message_of(
+      [&] { return mesh_of(samples, Extents(size[0], size[1], size[2]), level, options); });
+}
+std::string label_error(const MeshOptions& options) {
+  return message_of([&] { return label_meshes({samples, {3, 3, 3}}, options); });
+}
+
 template <class Set>
 std::string refusal(Set set) {
   MeshOptions options;
   set(options);
-  return message_of([&] { return mesh_of(samples, {3, 3, 3}, 1, options); });
+  return mesh_error({3, 3, 3}, 1, options);
 }
 
 bool has(const std::string& text, const std::string& part) {
@@ -33,21 +42,14 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_CASE(
     "wrong extents, a wrong number of samples and a null pointer are refused with the reason") {
-  CHECK(message_of([] {
-          return mesh_of(samples, {0, 3, 3}, 1);
-        }) == "an extent is 0; give 1 to 1073741823 voxels");
-  CHECK(has(message_of([] { return mesh_of(samples, {3, -3, 3}, 1); }), "-3"));
-  CHECK(message_of([] {
-          return mesh_of(samples, {3, 3, 4}, 1);
-        }) == "the vector has 27 samples, and the extents 3 x 3 x 4 need 36");
+  CHECK(mesh_error({0, 3, 3}) == "an extent is 0; give 1 to 1073741823 voxels");
+  CHECK(has(mesh_error({3, -3, 3}), "-3"));
+  CHECK(mesh_error({3, 3, 4}) == "the vector has 27 samples, and the extents 3 x 3 x 4 need 36");
   const int* const none = nullptr;
   CHECK(message_of([&] {
           return mesh_of(none, {3, 3, 3}, 1);
         }) == "the pointer to the samples is null");
-  CHECK(has(message_of([] {
-              return mesh_of(samples, {1 << 29, 1 << 29, 1 << 29}, 1);
-            }),
-            "divide the array"));
+  CHECK(has(mesh_error({1 << 29, 1 << 29, 1 << 29}), "divide the array"));
   const std::vector<char> flat(1);
   const std::string text = message_of([&] {
     return mesh_of(Samples(flat.data(), {40000, 40000, 2}, Strides{0, 0, 0}), 1);
@@ -57,8 +59,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a level of NaN, and a range that ends below its beginning, are refused with the value") {
-  CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, {5, 2}); }), "from 5 to 2"));
-  CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, std::nan("")); }), "nan"));
+  CHECK(has(mesh_error({3, 3, 3}, {5, 2}), "from 5 to 2"));
+  CHECK(has(mesh_error({3, 3, 3}, std::nan("")), "nan"));
 }
 
 TEST_CASE("options out of range are named") {
@@ -92,10 +94,7 @@ TEST_CASE("options that contradict each other are named") {
             "ask for surface normals"));
   MeshOptions gradient;
   gradient.normals = Normals::gradient;
-  CHECK(has(message_of([&] {
-              return mesh_of(samples, {3, 3, 3}, {1, 2}, gradient);
-            }),
-            "without a high end"));
+  CHECK(has(mesh_error({3, 3, 3}, {1, 2}, gradient), "without a high end"));
   MeshOptions smooth;
   smooth.smoothing = 1;
   CHECK(has(message_of([&] {
@@ -109,16 +108,13 @@ TEST_CASE("labels refuse samples with fractions, gradients, and interpolation wi
   CHECK(has(message_of([&] { return label_meshes({fractions, {3, 3, 3}}); }), "integer type"));
   MeshOptions options;
   options.normals = Normals::gradient;
-  CHECK(has(message_of([&] {
-              return label_meshes({samples, {3, 3, 3}}, options);
-            }),
-            "surface normals"));
+  CHECK(has(label_error(options), "surface normals"));
   options = {};
   options.interpolates = true;
-  CHECK(has(message_of([&] { return label_meshes({samples, {3, 3, 3}}, options); }), "smoothing"));
+  CHECK(has(label_error(options), "smoothing"));
   options = {};
   options.relaxes = true;
-  CHECK(has(message_of([&] { return label_meshes({samples, {3, 3, 3}}, options); }), "walls"));
+  CHECK(has(label_error(options), "walls"));
 }
 
 TEST_CASE("a builder refuses options that need the slices twice, other types, and wrong extents") {
