@@ -242,14 +242,10 @@ TEST_CASE("reset() at any point of a scan begins an independent new scan") {
 }
 
 TEST_CASE("the start event contains the extractor's limits and threshold") {
-  const Limits limits{7, 3, Border::open};
-  Block block(Extractor16::minimum_bytes(limits));
-  EventLog log;
-  Extractor16 extractor;
-  require_ok(extractor.start(limits, -42, block.memory(), make_sink(log)));
-  require_ok(extractor.reset());
-  REQUIRE(log.starts.size() == 2);
-  for (const StreamHeader& told : log.starts) {
+  Bench<uint16_t> bench({7, 3, Border::open}, -42, 0);
+  require_ok(bench.extractor.reset());
+  REQUIRE(bench.log.starts.size() == 2);
+  for (const StreamHeader& told : bench.log.starts) {
     CHECK(told.width == 7);
     CHECK(told.height == 3);
     CHECK(told.border == Border::open);

@@ -99,13 +99,12 @@ TEST_CASE("after the end push() returns finished, and ending again has no effect
     CHECK(bench.extractor.push(samples, 9).status == Status::ok);
     CHECK((abandon ? bench.extractor.abandon() : bench.extractor.finish()) == Status::ok);
     const uint64_t events = bench.log.events.size();
-    CHECK(bench.extractor.push(samples, 9).status == Status::finished);
-    CHECK(bench.extractor.push(samples, 9).samples == 0);
-    CHECK(bench.extractor.push(samples, 0).status == Status::finished);
-    CHECK(bench.extractor.push_bits(samples).status == Status::finished);
-    CHECK(bench.extractor.push_bits(samples).samples == 0);
-    CHECK(bench.extractor.skip_row(Substitute::previous_row).status == Status::finished);
-    CHECK(bench.extractor.skip_row(Substitute::previous_row).samples == 0);
+    for (const PushResult result :
+         {bench.extractor.push(samples, 9), bench.extractor.push(samples, 0),
+          bench.extractor.push_bits(samples), bench.extractor.skip_row(Substitute::previous_row)}) {
+      CHECK(result.status == Status::finished);
+      CHECK(result.samples == 0);
+    }
     CHECK(bench.extractor.finish() == Status::ok);
     CHECK(bench.extractor.abandon() == Status::ok);
     CHECK(bench.extractor.resume() == Status::ok);
@@ -255,15 +254,11 @@ TEST_CASE("each period of 100,000 thin slices gives the same number of regions")
 }
 
 TEST_CASE("a surface across 100,000 slices needs only a few bytes") {
-  const Limits limits{3, 3};
-  EventLog log;
-  Block block(Extractor16::minimum_bytes(limits) + 8000);
-  Extractor16 extractor;
-  require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
+  Bench<uint16_t> bench({3, 3}, 1, 8000);
   const std::vector<uint8_t> slice(9, 1);
-  for (uint32_t i = 0; i < 100000; ++i) require_ok(extractor.push(slice.data(), 9).status);
-  finish_all(extractor);
-  CHECK(collected(log.events).regions().size() == 26);
+  for (uint32_t i = 0; i < 100000; ++i) require_ok(bench.extractor.push(slice.data(), 9).status);
+  finish_all(bench.extractor);
+  CHECK(collected(bench.log.events).regions().size() == 26);
 }
 
 TEST_CASE("a slab's finish event counts its own slices, and the sum is the volume's depth") {

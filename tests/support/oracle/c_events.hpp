@@ -4,6 +4,7 @@
 #include <discmc/discmc.h>
 
 #include <algorithm>
+#include <discmc/encoder.hpp>
 
 #include "event_log.hpp"
 
@@ -65,6 +66,23 @@ inline discmc_sink c_sink_to(EventLog& log) {
     return static_cast<discmc_sink_result>(answer);
   };
   return {&log, take};
+}
+
+inline discmc_byte_output in_c(const ByteOutput& output) {
+  return {output.context, output.write, output.unsent, output.max_frame};
+}
+
+/// Returns rows of bits: a row of each surface, one after the other.
+inline std::vector<uint8_t> bits_of(const std::vector<uint8_t>& samples, size_t width,
+                                    const std::vector<int32_t>& thresholds) {
+  const size_t row_bytes = (width + 7) / 8, surfaces = thresholds.size();
+  std::vector<uint8_t> bits(samples.size() / width * surfaces * row_bytes);
+  for (size_t i = 0; i < samples.size(); ++i)
+    for (size_t surface = 0; surface < surfaces; ++surface)
+      if (samples[i] >= thresholds[surface])
+        bits[(i / width * surfaces + surface) * row_bytes + i % width / 8] |=
+            static_cast<uint8_t>(1 << i % width % 8);
+  return bits;
 }
 
 /// Repeats a call while it is suspended.

@@ -108,8 +108,7 @@ class Cutter {
     piece.rank = ranks_[region][0];
     piece.region = region;
     piece.stream = stream;
-    add(
-        piece, [&](Event& event) { event.kind = Event::Kind::region; }, region);
+    add(piece, region, Event::Kind::region);
     for (size_t ring = 0; ring < rings.size(); ++ring) {
       if (is_loose || (ring > 0 && has_chance(cuts_.loose_holes)))
         add_pieces({region, ring});
@@ -117,14 +116,15 @@ class Cutter {
         add_ring(piece, {region, ring});
     }
     if (is_loose) return;
-    add(
-        piece, [&](Event& event) { event.kind = Event::Kind::region_end; }, region);
+    add(piece, region, Event::Kind::region_end);
     pieces_.push_back(std::move(piece));
   }
 
-  template <class Fill>
-  void add(Piece& piece, Fill fill, size_t region) const {
+  template <class Fill = void (*)(Event&)>
+  void add(
+      Piece& piece, size_t region, Event::Kind kind, Fill fill = [](Event&) {}) const {
     Event event{};
+    event.kind = kind;
     event.incidence = regions_[region].incidence;
     fill(event);
     piece.events.emplace_back(event);
@@ -145,14 +145,10 @@ class Cutter {
     for (size_t link = first; link < first + count;) {
       uint32_t length = 1;
       while (link + length < first + count && !is_corner(name, link + length)) ++length;
-      add(
-          piece,
-          [&](Event& event) {
-            event.kind = Event::Kind::run;
-            event.run = Run::straight(direction(name, link), length);
-            event.normal = normal_at(ring[link % ring.size()]);
-          },
-          name.region);
+      add(piece, name.region, Event::Kind::run, [&](Event& event) {
+        event.run = Run::straight(direction(name, link), length);
+        event.normal = normal_at(ring[link % ring.size()]);
+      });
       link += length;
     }
   }
@@ -160,14 +156,10 @@ class Cutter {
   void add_ring(Piece& piece, const RingName& name) const {
     size_t first = 0;
     while (!is_corner(name, first)) ++first;
-    add(
-        piece,
-        [&](Event& event) {
-          event.kind = Event::Kind::ring;
-          event.start = ring_of(name)[first];
-          event.is_hole = name.ring > 0;
-        },
-        name.region);
+    add(piece, name.region, Event::Kind::ring, [&](Event& event) {
+      event.start = ring_of(name)[first];
+      event.is_hole = name.ring > 0;
+    });
     add_runs(piece, name, first, ring_of(name).size());
   }
 
@@ -204,17 +196,12 @@ class Cutter {
       piece.place = i;
       piece.places = places.size();
       piece.stream = stream_of(ring[begin], ring[(begin + 1) % ring.size()]);
-      add(
-          piece,
-          [&](Event& event) {
-            event.kind = Event::Kind::fragment;
-            event.start = ring[begin];
-            event.incoming_direction = direction(name, begin + ring.size() - 1);
-          },
-          name.region);
+      add(piece, name.region, Event::Kind::fragment, [&](Event& event) {
+        event.start = ring[begin];
+        event.incoming_direction = direction(name, begin + ring.size() - 1);
+      });
       add_runs(piece, name, begin, end - begin);
-      add(
-          piece, [&](Event& event) { event.kind = Event::Kind::fragment_end; }, name.region);
+      add(piece, name.region, Event::Kind::fragment_end);
       pieces_.push_back(std::move(piece));
     }
   }

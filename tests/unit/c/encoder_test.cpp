@@ -12,10 +12,6 @@ using discmc::test::Line;
 
 namespace {
 
-discmc_byte_output in_c(const ByteOutput& output) {
-  return {output.context, output.write, output.unsent, output.max_frame};
-}
-
 struct Stream {
   Stream(const discmc_encoder_kind& kind, size_t bytes, Line& line) : memory(bytes) {
     config.kind = &kind;

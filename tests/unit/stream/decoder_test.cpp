@@ -628,37 +628,6 @@ TEST_CASE("a part without its beginning counts as lost, also after a whole fragm
     }
 }
 
-TEST_CASE("a truncated stream delivers its whole pieces, and the report lacks the end") {
-  for (const Sample& sample : samples()) {
-    CAPTURE(sample.name);
-    const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
-    const Bytes stream = joined(frames);
-    const std::vector<Events> brought = events_by_frame(frames);
-    const size_t step = stream.size() < 1200 ? 1 : 1 + stream.size() / 25;
-    size_t frame = 0, whole = 0, from = 0;
-    for (size_t count = 0; count < stream.size(); ++count) {
-      if (count == from + frames[frame].size()) {
-        from += frames[frame].size();
-        whole += brought[frame++].size();
-      }
-      if (count % step != 0 && count != from && count + 1 != stream.size()) continue;
-      const Received cut =
-          decode({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(count)});
-      Events expected(sample.events.begin(),
-                      sample.events.begin() + static_cast<std::ptrdiff_t>(whole));
-      const bool was_open = cut.events.size() > whole && cut.events.back().is(Kind::lost);
-      if (was_open) expected.push_back(cut.events.back());
-      REQUIRE(cut.events == expected);
-      CHECK(pieces_of(cut.events).size() == cut.report.regions + cut.report.fragments);
-      CHECK_FALSE(cut.report.is_complete());
-      CHECK_FALSE(cut.report.is_abandoned);
-      CHECK(cut.report.slices == 0);
-      CHECK(cut.report.damaged_packets == (count == from ? 0 : 1));
-      CHECK(cut.report.packets == frame);
-    }
-  }
-}
-
 TEST_CASE("a too long frame at the end does not damage the next stream") {
   const Bytes noise(1000, 7);
   const Bytes stream = encode(Script().finish().events, any_header());
