@@ -13,7 +13,7 @@ writeFileSync(volume, nrrdOf(roughBall()));
 command('extract', '--quiet', volume, '--iso', '400', '-o', stream);
 const expected = polygonsByCommand(folder, 'decode', stream);
 
-const { open, onPage } = pageTests();
+const { onPage } = pageTests();
 
 /** How many pixels of the picture are of the colour of what is missing. */
 async function vermilion(page) {
@@ -144,13 +144,11 @@ test('the stream of a serial port is shown, and saved unchanged', onPage({ scrip
   assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), readFileSync(stream));
 }));
 
-test('bytes that are no stream are reported with the baud rate to check', async () => {
-  const { page } = await open({ script: [fakeSerial, [...Buffer.from('no stream')]] });
+test('bytes that are no stream are reported with the baud rate to check', onPage({ script: [fakeSerial, [...Buffer.from('no stream')]] }, async (page) => {
   await page.click('#connect');
   await page.keyboard.press('Enter');
   await page.waitForSelector('#error:not([hidden])');
   assert.match(await page.textContent('#error-text'), /no header .* check the baud rate/);
   await openFiles(page, stream);
   assert.equal(await shownPolygons(page), expected);
-  await page.context().close();
-});
+}));

@@ -16,10 +16,12 @@ export async function serialBytes(baud, stop) {
 /** @param {any} port @param {AbortSignal} stop */
 async function* bytesOf(port, stop) {
   const reader = port.readable.getReader();
-  stop.addEventListener('abort', () => reader.cancel());
+  const cancel = () => reader.cancel();
+  stop.addEventListener('abort', cancel);
   try {
     for (let read = await reader.read(); !read.done; read = await reader.read()) yield read.value;
   } finally {
+    stop.removeEventListener('abort', cancel); // a reader without its lock cannot be cancelled
     reader.releaseLock();
     await port.close();
   }
