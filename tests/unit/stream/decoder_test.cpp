@@ -455,9 +455,10 @@ TEST_CASE("a late header of another stream does not replace the first header") {
 }
 
 TEST_CASE("a later header reports all packets and regions lost before it") {
-  for (const auto& [packets, regions] :
+  for (const auto& each :
        {std::pair{1U, 0U}, {2, 0}, {257, 0}, {300, 70000}, {1, 5}, {1, 65536}, {2, 70000}}) {
-    INFO("packets ", packets, ", regions ", regions);
+    const auto& [packets, regions] = each;
+    INFO("packets ", each.first, ", regions ", each.second);
     const StreamReport report =
         decode(joined({stream_of({}), header_after(packets, regions)})).report;
     CHECK(report.packets == 2);
@@ -501,8 +502,9 @@ TEST_CASE("a region continues after a header, whatever was lost before the regio
 }
 
 TEST_CASE("a header that reports a gap ends the open region, even after an earlier gap") {
-  for (const auto& [lost, regions] : {std::pair{1U, uint16_t{0}}, {255, 0}, {256, 1}, {512, 2}}) {
-    CAPTURE(lost);
+  for (const auto& each : {std::pair{1U, uint16_t{0}}, {255, 0}, {256, 1}, {512, 2}}) {
+    const auto& [lost, regions] = each;
+    CAPTURE(each.first);
     const uint32_t number = 5;
     const Received arrival = decode(joined({stream_of({}), frame_at(number, first_payload()),
                                             header_after(number + 1 + lost, regions),
