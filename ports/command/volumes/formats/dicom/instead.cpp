@@ -33,9 +33,9 @@ RejectReason foreign_content(const std::filesystem::path& file) {
   const std::string_view head = stream.peek(magic_bytes);
   const VolumeFormat* const format = is_dicom_head(head) ? nullptr : format_of_head(head);
   if (format == nullptr || format->name == "DICOM") return {};
-  const std::string ending(format->endings[0]);
-  const std::string stem = file.stem().string();
-  const std::string name = file.stem().extension() == ending ? stem : stem + ending;
+  const std::filesystem::path stem = file.stem();
+  const std::string name =
+      stem.string() + std::string(format_of_name(stem) == format ? "" : format->endings[0]);
   return {std::string(format->name) + ", and not DICOM",
           is_read(*format) ? "rename it to " + name : std::string(format->remedy)};
 }
