@@ -65,8 +65,7 @@ export function pageTests() {
     await page.context().close();
     return result;
   };
-  return { open: (options) => openPage(browser, options), withPage,
-    onPage: (options, check) => () => withPage(options, check) };
+  return { withPage, onPage: (options, check) => () => withPage(options, check) };
 }
 
 /** Opens files, and waits until their surface or an error is there. */

@@ -4,7 +4,8 @@ import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { checkAccess, now, openFiles, pageTests, pixelsOf, rested, saved, shownPolygons, streamShows } from './browser.js';
+import { checkAccess, now, openFiles, pageTests, pixelsOf, rested, saved, shownPolygons,
+  streamShows } from './browser.js';
 import { command, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -133,7 +134,9 @@ const fakeSerial = (list) => {
   Object.defineProperty(navigator, 'serial', { value: { port, requestPort: async () => port } });
 };
 
-test('the stream of a serial port is shown, and saved unchanged', onPage({ script: [fakeSerial, [...readFileSync(stream)]] }, async (page) => {
+const sending = (bytes) => ({ script: [fakeSerial, [...bytes]] });
+
+test('the stream of a serial port is shown, and saved unchanged', onPage(sending(readFileSync(stream)), async (page) => {
   await page.click('#connect');
   await checkAccess(page);
   await page.fill('#serial-baud', '921600');
@@ -144,7 +147,7 @@ test('the stream of a serial port is shown, and saved unchanged', onPage({ scrip
   assert.deepEqual(readFileSync((await saved(page, 'dmc')).path), readFileSync(stream));
 }));
 
-test('bytes that are no stream are reported with the baud rate to check', onPage({ script: [fakeSerial, [...Buffer.from('no stream')]] }, async (page) => {
+test('bytes that are no stream are reported with the baud rate to check', onPage(sending(Buffer.from('no stream')), async (page) => {
   await page.click('#connect');
   await page.keyboard.press('Enter');
   await page.waitForSelector('#error:not([hidden])');
