@@ -94,6 +94,7 @@ constexpr Limits limits{12, 10};
 TEST_CASE("records in a stream of regions arrive and change nothing else") {
   for (const size_t bytes_at_once : {size_t{0}, size_t{1}, size_t{50}}) {
     const Received received = decode(regions_with_records(bytes_at_once));
+    CHECK(received.status == Status::ok);
     CHECK(received.report.is_complete());
     check_records(received.events);
   }
@@ -112,7 +113,9 @@ TEST_CASE("records in a stream of slices arrive before the following row") {
       ++records;
     }
     CHECK(records == volume.depth + 1);
-    check_records(decode_surface(stream, limits).events);
+    const Received received = decode_surface(stream, limits);
+    CHECK(received.status == Status::ok);
+    check_records(received.events);
   }
 }
 
@@ -151,8 +154,13 @@ TEST_CASE("a row after a record is accepted even if the record is still being se
 }
 
 TEST_CASE("a record waits behind a refused event, in streams of both kinds") {
-  for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)})
-    CHECK(decode_surface(stream, limits, 0, true).events == decode_surface(stream, limits).events);
+  for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)}) {
+    const Received idle = decode_surface(stream, limits);
+    const Received busy = decode_surface(stream, limits, 0, true);
+    CHECK(idle.status == Status::ok);
+    CHECK(busy.status == Status::ok);
+    CHECK(busy.events == idle.events);
+  }
 }
 
 TEST_CASE("a stream that is decoded and encoded again keeps its records") {
@@ -208,6 +216,16 @@ TEST_CASE("a record is refused once the scan has ended, even if the output is bu
     while (encoder.flush() == Status::suspended) continue;
     CHECK(encoder.write_record(record_of(bytes)) == Status::finished);
     CHECK(decode(line.bytes).report.repeated_packets == 0);
+
+    Line other(bytes_at_once);
+    SliceEncoder slices;
+    Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
+    require_ok(slices.start(slice_config(any_header()), memory_of(memory), other.output()));
+    (void)slices.finish();
+    CHECK(slices.write_record(record_of(bytes)) == Status::finished);
+    until_done([&] { return slices.finish(); });
+    CHECK(slices.write_record(record_of(bytes)) == Status::finished);
+    CHECK(decode_slices(other.bytes, {1, 1, 1}).report.is_complete());
   }
 }
 

@@ -162,6 +162,7 @@ TEST_CASE("three channels of one link are separated, for any kind of stream") {
     CHECK(received.report.is_complete());
   }
   const Received slices = decode_surface(link, {20, 20}, 0, false, 63);
+  CHECK(slices.status == Status::ok);
   CHECK(slices.events == events_of(volumes[2]));
   CHECK(slices.report.is_complete());
   const Received nothing = decode(link, 0, false, 2);

@@ -69,6 +69,20 @@ TEST_CASE("a stream of slices yields the events of an extractor with the same ro
         }
 }
 
+TEST_CASE("a surface decoder decodes a stream of regions without any memory") {
+  const BitVolume volume = volumes()[0];
+  const Events events = swept(volume, Border::closed, false);
+  const Bytes stream = encode(events, header_of(volume));
+  EventLog log;
+  SurfaceDecoder decoder;
+  reference::require_ok(decoder.start({}, make_sink(log)));
+  CHECK(decoder.push(stream.data(), stream.size()).bytes == stream.size());
+  reference::require_ok(decoder.finish());
+  CHECK(decoder.report().is_complete());
+  CHECK(decoder.header().width == volume.width);
+  CHECK(log.events == decode(stream).events);
+}
+
 TEST_CASE("the surface of a stream with lost packets is closed, and lost rows are skipped") {
   const BitVolume volume = reference::ball({40, 40, 40}, {39, 39, 39}, 300);
   const std::vector<Bytes> frames = frames_of(encoded(volume, Border::closed, false, 4));

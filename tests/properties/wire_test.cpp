@@ -78,6 +78,15 @@ TEST_CASE("every event, the header and the totals are decoded unchanged") {
   }
 }
 
+TEST_CASE("encoding the decoded events yields the same bytes") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const Bytes stream = encode(sample.events, sample.header);
+    const Received arrival = decode(stream);
+    CHECK(encode(arrival.events, arrival.header) == stream);
+  }
+}
+
 TEST_CASE("the bytes do not depend on the portions that the output accepts") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);

@@ -10,7 +10,6 @@
 
 #include "event_log.hpp"
 #include "region.hpp"
-#include "stream.hpp"
 
 namespace discmc::reference {
 
@@ -120,9 +119,11 @@ class Cutter {
     pieces_.push_back(std::move(piece));
   }
 
-  template <class Fill = void (*)(Event&)>
-  void add(
-      Piece& piece, size_t region, Event::Kind kind, Fill fill = [](Event&) {}) const {
+  void add(Piece& piece, size_t region, Event::Kind kind) const {
+    add(piece, region, kind, [](Event&) {});
+  }
+  template <class Fill>
+  void add(Piece& piece, size_t region, Event::Kind kind, Fill fill) const {
     Event event{};
     event.kind = kind;
     event.incidence = regions_[region].incidence;
@@ -252,23 +253,8 @@ inline Events events_of(const Pieces& pieces) {
 class Delivered {
  public:
   explicit Delivered(const Events& events) {
-    size_t in_pieces = 0;
-    for (const Events& piece : test::pieces_of(events)) {
-      in_pieces += piece.size();
-      check(piece);
-      if (piece.front().is(Event::Kind::fragment))
-        fragments.push_back({piece});
-      else
-        regions.push_back(region_of(piece));
-    }
-    bool is_within = false;
-    for (const RecordedEvent& event : events) {
-      is_within = is_within || event.is(Event::Kind::region) || event.is(Event::Kind::fragment);
-      if (!is_within) marks.push_back(event);
-      if (event.is(Event::Kind::region_end) || event.is(Event::Kind::fragment_end))
-        is_within = false;
-    }
-    require(in_pieces + marks.size() == events.size(), "a piece without end, or a mark within");
+    for (const RecordedEvent& recorded : events) add(recorded);
+    require(piece_.empty(), "a piece without end");
   }
 
   std::vector<Region> regions;
@@ -280,33 +266,77 @@ class Delivered {
     if (!holds) throw GrammarError(broken);
   }
 
-  static void check(const Events& piece) {
-    Incidence incidence = no_incidence;
-    Vertex at{};
-    std::vector<Run> runs;  // of the current ring or fragment
-    for (const RecordedEvent& recorded : piece) {
-      const Event event = recorded.event();
-      if (recorded.is(Event::Kind::run)) {
-        require(event.normal == normal_at(at), "a normal of another vertex");
-        runs.push_back(event.run);
-        translate(at, incidence, event.run.direction(), event.run.length());
-        continue;
-      }
-      if (!runs.empty() && !recorded.is(Event::Kind::fragment_end)) check_ring(incidence, runs);
-      runs.clear();
-      at = event.start;
-      if (recorded.is(Event::Kind::region) || recorded.is(Event::Kind::fragment))
-        incidence = event.incidence;
+  void add(const RecordedEvent& recorded) {
+    const Event event = recorded.event();
+    const bool is_begin = recorded.is(Event::Kind::region) || recorded.is(Event::Kind::fragment);
+    if (piece_.empty() && !is_begin) {
+      require(!recorded.is(Event::Kind::ring) && !recorded.is(Event::Kind::run) &&
+                  !recorded.is(Event::Kind::region_end) && !recorded.is(Event::Kind::fragment_end),
+              "part of a piece, outside any");
+      marks.push_back(recorded);
+      return;
+    }
+    require(piece_.empty() == is_begin, "a piece within another");
+    const bool is_in_region =
+        is_begin ? recorded.is(Event::Kind::region) : piece_.front().is(Event::Kind::region);
+    piece_.push_back(recorded);
+    switch (event.kind) {
+      case Event::Kind::region:
+        region_ = {event.incidence, {}};
+        return;
+      case Event::Kind::ring:
+        require(is_in_region && event.is_hole == !region_.rings.empty(),
+                "a ring in the wrong place");
+        end_ring();
+        region_.rings.emplace_back();
+        start_ = at_ = event.start;
+        return;
+      case Event::Kind::fragment:
+        region_ = {event.incidence, {{}}};
+        start_ = at_ = event.start;
+        return;
+      case Event::Kind::run:
+        return add_run(event);
+      case Event::Kind::region_end:
+        require(is_in_region, "a fragment that ends as a region");
+        end_ring();
+        regions.push_back(region_);
+        break;
+      case Event::Kind::fragment_end:
+        require(!is_in_region && !runs_.empty(), "no fragment, or an empty one");
+        runs_.clear();
+        fragments.push_back({piece_});
+        break;
+      default:
+        require(false, "a mark within a piece");
+    }
+    piece_.clear();
+  }
+
+  void add_run(const Event& event) {
+    require(!region_.rings.empty(), "a run outside a ring");
+    require(event.normal == normal_at(at_), "a normal of another vertex");
+    runs_.push_back(event.run);
+    const Vertex step = direction_vector(region_.incidence, event.run.direction());
+    for (uint32_t i = 0; i < event.run.length(); ++i) {
+      region_.rings.back().push_back(at_);
+      at_ = at_ + step;
     }
   }
 
-  static void check_ring(Incidence incidence, const std::vector<Run>& runs) {
-    require(is_closed(incidence, runs.data(), static_cast<uint32_t>(runs.size())),
-            "a ring that is not closed");
-    for (size_t i = 0; i < runs.size(); ++i)
-      require(runs[i].direction() != runs[(i + 1) % runs.size()].direction(),
+  void end_ring() {
+    if (region_.rings.empty()) return;
+    require(!runs_.empty() && at_ == start_, "a ring that is not closed");
+    for (size_t i = 0; i < runs_.size(); ++i)
+      require(runs_[i].direction() != runs_[(i + 1) % runs_.size()].direction(),
               "a run that starts at no corner");
+    runs_.clear();
   }
+
+  Events piece_;
+  Region region_{};
+  Vertex start_{}, at_{};
+  std::vector<Run> runs_;  // of the current ring or fragment
 };
 
 }  // namespace discmc::reference

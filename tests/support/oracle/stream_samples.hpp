@@ -71,9 +71,11 @@ class Script {
   Events events;
 
  private:
-  template <class Fill = void (*)(Event&)>
-  Script& add(
-      Event::Kind kind, Fill fill = [](Event&) {}) {
+  Script& add(Event::Kind kind) {
+    return add(kind, [](Event&) {});
+  }
+  template <class Fill>
+  Script& add(Event::Kind kind, Fill fill) {
     Event event{};
     event.kind = kind;
     fill(event);

@@ -297,6 +297,34 @@ TEST_CASE("a header is repeated after 64 packets, but not behind the trailer") {
   check_round_trip(long_slice);
 }
 
+TEST_CASE("a run longer than its row is refused") {
+  for (const uint32_t width : {3U, 5U})
+    for (uint32_t length = width; length < (width == 3 ? 4 : 8); ++length) {
+      INFO("width ", width, ", length ", length);
+      const BitVolume volume({width, 1, 1});
+      std::vector<Bytes> frames = frames_of(encode_slices(volume));
+      Packet packet = packet_of(frames[1]);
+      reference::Block block(detail::slices::SliceModel::bytes_for(false) + Arena::alignment);
+      Arena arena(block.memory());
+      detail::slices::SliceModel model;
+      model.start(arena, false);
+      model.begin(detail::slices::SliceKind::key);
+      packet.payload.resize(detail::wire::max_payload);
+      detail::slices::RowWriter code{RangeEncoder(&packet.payload[4], 200)};
+      code.code_bit(model[detail::slices::context::note], false);
+      const uint32_t bits_of_width = width == 3 ? 2 : 3;
+      code.code_bit(model[detail::slices::context::run + 2 * (bits_of_width - 1) + 1], false);
+      code.raw_bits(bits_of_width, length);
+      code.raw_bits(32, 0x5A5A5A5A);
+      packet.payload.resize(4 + code.range.finish());
+      frames[1] = frame_of(packet);
+      const ReceivedRows received = decode_slices(joined(frames), {width, 1, 1});
+      CHECK(received.report.is_unreadable);
+      CHECK(received.report.rows == 0);
+      CHECK(received.report.lost_rows == 1);
+    }
+}
+
 TEST_CASE("after a change of output the next slice is a key slice, and only that one") {
   const BitVolume volume = ball(12);
   Device device({12, 12});

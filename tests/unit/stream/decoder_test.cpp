@@ -216,35 +216,48 @@ TEST_CASE("a decoder needs a sink and a start") {
   CHECK(decoder.push(&byte, 1).status == Status::not_started);
 }
 
-TEST_CASE("a restarted decoder forgets the previous stream, wherever that stopped") {
+TEST_CASE("a decoder that is started again forgets everything") {
   const Sample sample = samples()[2];
   const Bytes stream = encode(sample.events, sample.header);
-  StreamHeader other = any_header();
-  other.scan = 7;
-  other.channel = 2;
-  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
-  std::vector<Bytes> previous{with_version(3, stream_of({})), stream_of({first_payload()}),
-                              encode(square, other)};
-  for (size_t count = 0; count < stream.size(); count += 41)
-    previous.emplace_back(stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(count));
+  Decoder decoder;
+  for (size_t count = 0; count < stream.size(); count += 41) {
+    EventLog first, second;
+    REQUIRE(decoder.start(make_sink(first)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), count).status == Status::ok);
+    REQUIRE(decoder.start(make_sink(second)) == Status::ok);
+    CHECK(decoder.header().width == 0);
+    REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+    CHECK(second.events == sample.events);
+    CHECK(decoder.report().is_complete());
+  }
+}
+
+TEST_CASE("a restarted decoder forgets refusals and pending events") {
+  const Sample sample = samples()[2];
+  const Bytes stream = encode(sample.events, sample.header);
+  const Bytes unknown = with_version(3, stream_of({}));
+  const Bytes lost = stream_of({first_payload()});
+  Decoder decoder;
+  EventLog log;
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
+  CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
+  CHECK_FALSE(decoder.report().has_header);
+  CHECK(log.starts.empty());
+  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
+  CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
+  CHECK(log.events == first_part().events);
+
   struct Wall {
     SinkResult accept(const Event&) { return SinkResult::busy; }
   } wall;
-  Decoder decoder;
-  for (const Bytes& before : previous)
-    for (const bool is_busy : {false, true}) {
-      EventLog log, again;
-      REQUIRE(decoder.start(is_busy ? make_sink(wall) : make_sink(log)) == Status::ok);
-      const Status status = decoder.push(before.data(), before.size()).status;
-      CHECK(decoder.report().foreign_packets == 0);
-      if (status == Status::wrong_version) CHECK(log.starts.empty());
-      if (is_busy) (void)decoder.finish();
-      REQUIRE(decoder.start(make_sink(again)) == Status::ok);
-      CHECK(decoder.header().width == 0);
-      REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
-      CHECK(again.events == sample.events);
-      CHECK(decoder.report().is_complete());
-    }
+  REQUIRE(decoder.start(make_sink(wall)) == Status::ok);
+  CHECK(decoder.push(lost.data(), lost.size()).status == Status::suspended);
+  CHECK(decoder.finish() == Status::suspended);
+  EventLog again;
+  REQUIRE(decoder.start(make_sink(again)) == Status::ok);
+  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+  CHECK(again.events == sample.events);
+  CHECK(decoder.report().is_complete());
 }
 
 TEST_CASE("a restarted decoder neither continues a region nor reports it as lost") {
@@ -317,6 +330,22 @@ TEST_CASE("a start that arrives in the middle of a region is delivered after the
   CHECK(listener.log.events == first_part().run(2, 2).region_end().events);
   CHECK(listener.log.starts.size() == 1);
   CHECK(listener.events_before_start == listener.log.events.size());
+}
+
+TEST_CASE("a restarted decoder accepts a stream of any channel and scan and counts anew") {
+  StreamHeader header = any_header();
+  header.scan = 7;
+  header.channel = 2;
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
+  EventLog log;
+  Decoder decoder;
+  for (const Bytes& stream : {encode(square), encode(square, header)})
+    for (size_t part = 1; part < 4; ++part) {
+      REQUIRE(decoder.start(make_sink(log)) == Status::ok);
+      REQUIRE(decoder.push(stream.data(), stream.size() * part / 3).status == Status::ok);
+      CHECK(decoder.report().foreign_packets == 0);
+      CHECK(decoder.report().is_complete() == (part == 3));
+    }
 }
 
 TEST_CASE("packets of other channels and scans are ignored and counted as foreign") {
@@ -455,15 +484,17 @@ TEST_CASE("a late header of another stream does not replace the first header") {
 }
 
 TEST_CASE("a later header reports all packets and regions lost before it") {
-  for (const auto& each :
-       {std::pair{1U, 0U}, {2, 0}, {257, 0}, {300, 70000}, {1, 5}, {1, 65536}, {2, 70000}}) {
-    const auto& [packets, regions] = each;
-    INFO("packets ", each.first, ", regions ", each.second);
+  struct Before {
+    uint32_t packets, regions;
+  };
+  for (const Before before : {Before{1, 0}, Before{2, 0}, Before{257, 0}, Before{300, 70000},
+                              Before{1, 5}, Before{1, 65536}, Before{2, 70000}}) {
+    INFO("packets ", before.packets, ", regions ", before.regions);
     const StreamReport report =
-        decode(joined({stream_of({}), header_after(packets, regions)})).report;
+        decode(joined({stream_of({}), header_after(before.packets, before.regions)})).report;
     CHECK(report.packets == 2);
-    CHECK(report.lost_packets == packets - 1);
-    CHECK(report.lost_pieces == regions);
+    CHECK(report.lost_packets == before.packets - 1);
+    CHECK(report.lost_pieces == before.regions);
   }
 }
 
@@ -502,15 +533,19 @@ TEST_CASE("a region continues after a header, whatever was lost before the regio
 }
 
 TEST_CASE("a header that reports a gap ends the open region, even after an earlier gap") {
-  for (const auto& each : {std::pair{1U, uint16_t{0}}, {255, 0}, {256, 1}, {512, 2}}) {
-    const auto& [lost, regions] = each;
-    CAPTURE(each.first);
+  struct Gap {
+    uint32_t packets;
+    uint64_t regions;
+  };
+  for (const Gap gap : {Gap{1, 0}, Gap{255, 0}, Gap{256, 1}, Gap{512, 2}}) {
+    CAPTURE(gap.packets);
     const uint32_t number = 5;
-    const Received arrival = decode(joined({stream_of({}), frame_at(number, first_payload()),
-                                            header_after(number + 1 + lost, regions),
-                                            frame_at(number + 2 + lost, last_payload(), regions)}));
+    const Received arrival = decode(joined(
+        {stream_of({}), frame_at(number, first_payload()),
+         header_after(number + 1 + gap.packets, gap.regions),
+         frame_at(number + 2 + gap.packets, last_payload(), static_cast<uint16_t>(gap.regions))}));
     CHECK(arrival.events == first_part().lost().events);
-    CHECK(arrival.report.lost_packets == number - 1 + lost);
+    CHECK(arrival.report.lost_packets == number - 1 + gap.packets);
   }
 }
 
@@ -589,45 +624,73 @@ TEST_CASE("a fragment coded backwards begins where its runs lead back to") {
             .events == Script().fragment(up, start, 2).run(4, 10).run(6, 20).fragment_end().events);
 }
 
-TEST_CASE("a piece may fill a record to the last word, and one run more is refused") {
+TEST_CASE("a fragment may fill a record to the last word, and one run more is refused") {
   constexpr uint32_t most = Record::max_words - Record::ring_words;
-  for (const RecordKind kind :
-       {RecordKind::forwards, RecordKind::backwards, RecordKind::part, RecordKind::region})
-    for (const uint32_t count : {most, most + 1, most + 2, most + 4, most + 5}) {
-      INFO("kind ", static_cast<int>(kind), ", count ", count);
+  for (const bool is_backwards : {false, true})
+    for (const uint32_t count : {most, most + 1, most + 5}) {
       CodedRuns runs;
-      for (uint32_t i = 0; i < count; ++i) runs.push_back({static_cast<Direction>(i % 2 * 4), 1});
+      for (uint32_t i = 0; i < count; ++i) runs.push_back({static_cast<Direction>(i % 4), 1});
       const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-        if (kind == RecordKind::forwards) code_fragment(model, 0, runs);
-        if (kind == RecordKind::backwards) code_fragment_backwards(model, runs, 0);
-        if (kind == RecordKind::part) code_part(model, {false, true, true}, runs);
-        if (kind != RecordKind::region) return;
-        runs.pop_back();  // the last run closes the ring
-        begin_ring(model);
-        code_runs(model, runs);
+        if (is_backwards)
+          code_fragment_backwards(model, runs, 0);
+        else
+          code_fragment(model, 0, runs);
       })}));
-      const std::vector<Events> pieces = pieces_of(arrival.events);
-      CHECK(pieces.size() == (count == most ? 1 : 0));
+      CHECK(pieces_of(arrival.events).size() == (count == most ? 1 : 0));
+      CHECK(arrival.report.fragments == (count == most ? 1 : 0));
       CHECK(arrival.report.damaged_packets == (count == most ? 0 : 1));
-      if (count == most)
-        CHECK(count_if(pieces[0].begin(), pieces[0].end(),
-                       [](const RecordedEvent& event) { return event.is(Kind::run); }) == most);
     }
 }
 
-TEST_CASE("a part without its beginning counts as lost, also after a whole fragment") {
-  for (const bool is_fragment : {false, true})
-    for (const bool follows : {false, true}) {
-      const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-        if (follows) code_fragment(model, 7, {{0, 2}});
-        const Incidence incidence = follows ? incidence_of({1, 1, 0}) : up;  // other directions
-        code_part(model, {true, true, false, is_fragment, incidence}, {{0, 2}});
-      })}));
-      CHECK(pieces_of(arrival.events).size() == (follows ? 1 : 0));
-      CHECK(arrival.report.fragments == (follows ? 1 : 0));
-      CHECK(arrival.report.lost_pieces == 1);
-      CHECK(arrival.report.damaged_packets == 0);
+TEST_CASE("a part without its beginning counts as lost, of a fragment as of a region") {
+  for (const bool is_fragment : {false, true}) {
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
+      code_part(model, {true, true, false, is_fragment}, {{0, 2}});
+    })}));
+    CHECK(arrival.events.empty());
+    CHECK(arrival.report.lost_pieces == 1);
+  }
+}
+
+TEST_CASE("a part without its beginning counts as lost after a fragment with other directions") {
+  const Received arrival = decode(stream_of({payload_of([](auto& model) {
+    code_fragment(model, 7, {{0, 2}});
+    code_part(model, {true, true, false, true, incidence_of({1, 1, 0})}, {{0, 2}});
+  })}));
+  CHECK(arrival.report.fragments == 1);
+  CHECK(arrival.report.lost_pieces == 1);
+  CHECK(arrival.report.damaged_packets == 0);
+}
+
+TEST_CASE("a truncated stream delivers its whole pieces, and the report lacks the end") {
+  for (const Sample& sample : samples()) {
+    CAPTURE(sample.name);
+    const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
+    const Bytes stream = joined(frames);
+    const std::vector<Events> brought = events_by_frame(frames);
+    const size_t step = stream.size() < 1200 ? 1 : 1 + stream.size() / 25;
+    size_t frame = 0, whole = 0, from = 0;
+    for (size_t count = 0; count < stream.size(); ++count) {
+      if (count == from + frames[frame].size()) {
+        from += frames[frame].size();
+        whole += brought[frame++].size();
+      }
+      if (count % step != 0 && count != from && count + 1 != stream.size()) continue;
+      const Received cut =
+          decode({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(count)});
+      Events expected(sample.events.begin(),
+                      sample.events.begin() + static_cast<std::ptrdiff_t>(whole));
+      const bool was_open = cut.events.size() > whole && cut.events.back().is(Kind::lost);
+      if (was_open) expected.push_back(cut.events.back());
+      REQUIRE(cut.events == expected);
+      CHECK(pieces_of(cut.events).size() == cut.report.regions + cut.report.fragments);
+      CHECK_FALSE(cut.report.is_complete());
+      CHECK_FALSE(cut.report.is_abandoned);
+      CHECK(cut.report.slices == 0);
+      CHECK(cut.report.damaged_packets == (count == from ? 0 : 1));
+      CHECK(cut.report.packets == frame);
     }
+  }
 }
 
 TEST_CASE("a too long frame at the end does not damage the next stream") {
@@ -693,13 +756,14 @@ TEST_CASE("headers with invalid values are refused") {
   CHECK(without_header(5, 0x80, detail::wire::header_payload));  // width above the limit
   CHECK(without_header(6, 0, detail::wire::header_payload));     // height 0
   CHECK(without_header(99, 0, detail::wire::header_payload - 1));
+  CHECK_FALSE(
+      without_header(99, 0, detail::wire::header_payload + 5));  // a later version may be longer
 }
 
-TEST_CASE("extra bytes at the end of a header, as of a later version, are ignored") {
+TEST_CASE("extra bytes at the end of a header are ignored") {
   Packet packet = packet_of(stream_of({}));
   packet.payload.insert(packet.payload.end(), 5, 0xFF);
   const StreamReport report = decode(frame_of(packet)).report;
-  CHECK(report.has_header);
   CHECK(report.packets == 1);
   CHECK(report.lost_packets == 0);
   CHECK(report.lost_pieces == 0);
@@ -968,6 +1032,21 @@ TEST_CASE("two runs there and back are decoded up to the longest compact run") {
   }
 }
 
+TEST_CASE("a ring as long as a record is delivered, and a longer ring is refused") {
+  constexpr uint32_t longest = Record::max_words - Record::ring_words;
+  for (const uint32_t count : {longest, longest + 1, longest + 2, longest + 4}) {
+    CodedRuns runs;
+    for (uint32_t i = 0; i + 1 < count; ++i)
+      runs.push_back({static_cast<Direction>(i % 2 == 0 ? 0 : 4), 1});
+    const Received arrival = decode(stream_of({payload_of([&](auto& model) {
+      begin_ring(model);
+      code_runs(model, runs);
+    })}));
+    CHECK(pieces_of(arrival.events).size() == (count == longest ? 1 : 0));
+    CHECK(arrival.report.damaged_packets == (count == longest ? 0 : 1));
+  }
+}
+
 TEST_CASE("a ring of four corners is coded by turns and two lengths, a triangle by one length") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
     begin_ring(model, corners_of_square);
@@ -1081,6 +1160,20 @@ TEST_CASE("a payload that ends within a record is refused") {
     CHECK(arrival.events.size() <= 100);
     (void)pieces_of(arrival.events);
   }
+}
+
+TEST_CASE("a part may fill a record to the last word, and a longer part is refused") {
+  constexpr uint32_t most = Record::max_words - Record::ring_words;
+  const auto code_part_of = [](auto& model, uint32_t count) {
+    CodedRuns runs;
+    for (uint32_t i = 0; i < count; ++i) runs.push_back({static_cast<Direction>(i % 4), 1});
+    code_part(model, {false, true, true}, runs);
+  };
+  const Received full =
+      decode(stream_of({payload_of([&](auto& model) { code_part_of(model, most); })}));
+  CHECK(full.report.regions == 1);
+  CHECK(full.events.size() == 1 + 1 + most + 1);
+  check_unreadable([&](auto& model) { code_part_of(model, most + 1); });
 }
 
 TEST_CASE("a frame that is cut off at the end counts as damaged, once") {
