@@ -102,7 +102,7 @@ TEST_CASE("polygons are sorted by z, y and x of their first corners, then by the
       return static_cast<std::int32_t>(random() % end);
     };
     Polygons polygons;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 10000; ++i) {
       const Vertex first{below(9), spread.row * below(20),
                          below(60) + (below(8) == 0 ? spread.far_layer : 0)};
       const Vertex second = first + Vertex{-2, -below(2), 0};
@@ -118,10 +118,14 @@ TEST_CASE("polygons are sorted by z, y and x of their first corners, then by the
       };
       return key(a) < key(b);
     });
-    polygons.sort();
-    std::vector<std::pair<Incidence, Corners>> result;
-    for (const Polygon& polygon : polygons)
-      result.emplace_back(polygon.incidence, rings_of(polygon)[0]);
-    CHECK(result == sorted);
+    for (const unsigned jobs : {1U, 3U}) {
+      CAPTURE(jobs);
+      Polygons by_jobs = polygons;
+      by_jobs.sort(jobs);
+      std::vector<std::pair<Incidence, Corners>> result;
+      for (const Polygon& polygon : by_jobs)
+        result.emplace_back(polygon.incidence, rings_of(polygon)[0]);
+      CHECK(result == sorted);
+    }
   }
 }

@@ -13,10 +13,10 @@
 namespace discmc::command {
 
 SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections,
-                               std::optional<Kept> kept) {
+                               std::optional<Kept> kept, unsigned jobs) {
   SurfaceReceivers receivers;
   for (std::size_t i = 0; i < selections.size(); ++i)
-    receivers.push_back(std::make_unique<SurfaceReceiver>(kept));
+    receivers.push_back(std::make_unique<SurfaceReceiver>(kept, jobs));
   return receivers;
 }
 

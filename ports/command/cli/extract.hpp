@@ -41,9 +41,9 @@ struct ExtractedStream {
 /// empty without --allow-empty.
 ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out);
 
-/// kept: what each receiver keeps, if anything.
+/// kept: what each receiver keeps, if anything. jobs: threads that sort polygons.
 SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections,
-                               std::optional<Kept> kept);
+                               std::optional<Kept> kept, unsigned jobs = 1);
 std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selections,
                                         const SurfaceReceivers& receivers);
 

@@ -31,7 +31,7 @@ int extract_meshes(ExtractArguments arguments) {
   if (mended.is_changed()) taken[0].selection = options.selection;
   if (is_divisible(arguments)) options.jobs = jobs_of(arguments);
 
-  const SurfaceReceivers receivers = receivers_for(selections, Kept::polygons);
+  const SurfaceReceivers receivers = receivers_for(selections, Kept::polygons, jobs_of(arguments));
   std::vector<SurfaceRequest> requests = requests_of(taken, receivers);
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates())

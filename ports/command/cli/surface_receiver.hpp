@@ -35,8 +35,8 @@ void write_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
 /// kept.
 class SurfaceReceiver {
  public:
-  explicit SurfaceReceiver(std::optional<Kept> kept)
-      : surface_(kept.value_or(Kept::counts)), builds_(kept.has_value()) {}
+  SurfaceReceiver(std::optional<Kept> kept, unsigned jobs)
+      : surface_(kept.value_or(Kept::counts), jobs), builds_(kept.has_value()) {}
 
   /// Begins a stream. output: must accept everything; Owner: the caller.
   void start_stream(const StreamLabel& label, const std::optional<VolumePlacement>& placement,

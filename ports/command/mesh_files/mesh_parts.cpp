@@ -8,8 +8,7 @@ FileMesh MeshParts::bounds() const {
   FileMesh box;
   box.spacing_mm = surface_.spacing_mm;
   if (vertex_count() > 0) {
-    const Vertex* const vertices = vertices_.positions().data();
-    const auto [low, high] = meshing::box_around(vertices, vertices + vertex_count());
+    const auto& [low, high] = vertices_.box();
     for (const std::int32_t x : {low.x, high.x})
       for (const std::int32_t y : {low.y, high.y})
         for (const std::int32_t z : {low.z, high.z}) add_vertex({x, y, z}, box);
@@ -18,10 +17,11 @@ FileMesh MeshParts::bounds() const {
   return box;
 }
 
-void MeshParts::make_vertices(std::size_t first, std::size_t end, FileMesh& part) const {
+void MeshParts::make_vertices(std::size_t number, FileMesh& part) const {
   part.spacing_mm = surface_.spacing_mm;
   part.vertices_mm.clear();
-  for (std::size_t i = first; i < end; ++i) add_vertex(vertices_.positions()[i], part);
+  vertices_.for_each(number,
+                     [&](std::uint32_t, const Vertex& vertex) { add_vertex(vertex, part); });
   move_part_(part);
 }
 

@@ -40,17 +40,17 @@ class MeshParts {
         options_(options),
         sums_edges_(sums_edges),
         move_part_(std::move(move_part)),
-        vertices_(surface.polygons) {}
+        vertices_(surface.polygons, options.jobs) {}
 
   unsigned jobs() const { return options_.jobs; }
-  std::size_t vertex_count() const { return vertices_.positions().size(); }
+  std::size_t vertex_count() const { return vertices_.size(); }
+  std::size_t vertex_part_count() const { return vertices_.part_count(); }
   std::size_t block_count() const { return meshing::block_count(surface_.polygons); }
 
   /// Returns the corners of a box around all vertices, placed.
   FileMesh bounds() const;
-  /// Makes the vertices from `first` to before `end`, placed. part: receives them instead of its
-  /// own.
-  void make_vertices(std::size_t first, std::size_t end, FileMesh& part) const;
+  /// Makes the vertices of a part, placed. part: receives them instead of its own.
+  void make_vertices(std::size_t number, FileMesh& part) const;
   /// Makes faces that index all vertices of the mesh, placed.
   void make_faces(std::size_t number, Block& block) const;
   /// Makes faces that index vertices of their own: PlaneFaces::make_apart().

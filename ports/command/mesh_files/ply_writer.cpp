@@ -79,11 +79,10 @@ MeshTotals write_ply(const MeshParts& parts, std::ostream& out) {
   const FileMesh frame = parts.bounds();
   Writer writer(out);
   writer.text(ply_header(frame, true, vertices, 0));
-  constexpr std::size_t at_once = std::size_t{1} << 12;
   writer.parts<FileMesh>(
-      parts.jobs(), (vertices + at_once - 1) / at_once,
+      parts.jobs(), parts.vertex_part_count(),
       [&](Writer& part, std::size_t number, FileMesh& mesh) {
-        parts.make_vertices(number * at_once, std::min((number + 1) * at_once, vertices), mesh);
+        parts.make_vertices(number, mesh);
         for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i)
           write_ply_vertex(mesh, i, true, part);
       },

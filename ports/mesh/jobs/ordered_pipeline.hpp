@@ -127,6 +127,15 @@ void for_each_in_parallel(unsigned jobs, std::size_t count, Work work) {
       jobs, count, no_step, [&work](std::size_t number, Nothing&) { work(number); }, no_step);
 }
 
+/// Likewise calls work(first, end) for ranges of numbers from 0 to count - 1.
+template <class Work>
+void for_each_range_in_parallel(unsigned jobs, std::size_t count, Work work) {
+  constexpr std::size_t size = std::size_t{1} << 14;
+  for_each_in_parallel(jobs, (count + size - 1) / size, [&work, count](std::size_t range) {
+    work(range * size, std::min(count, (range + 1) * size));
+  });
+}
+
 }  // namespace discmc::meshing
 
 #endif

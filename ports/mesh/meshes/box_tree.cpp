@@ -57,13 +57,14 @@ double Box::squared_distance(const Point& point) const {
   return sum;
 }
 
-std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes) {
+std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes, unsigned jobs) {
   Box all;
   for (const Box& box : boxes) all.include(box);
-  std::vector<std::uint64_t> order;  // position along the curve, index of the box
-  order.reserve(boxes.size());
-  for (const Box& box : boxes)
-    order.push_back(std::uint64_t{place_on_curve(box, all)} << 32 | order.size());
+  std::vector<std::uint64_t> order(boxes.size());  // position along the curve, index of the box
+  for_each_range_in_parallel(jobs, boxes.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i)
+      order[i] = std::uint64_t{place_on_curve(boxes[i], all)} << 32 | i;
+  });
   std::sort(order.begin(), order.end());
   std::vector<std::uint32_t> places;
   places.reserve(order.size());
@@ -71,16 +72,18 @@ std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes) {
   return places;
 }
 
-BoxTree::BoxTree(const std::vector<Box>& boxes)
-    : places_(along_curve(boxes)),
+BoxTree::BoxTree(const std::vector<Box>& boxes, unsigned jobs)
+    : places_(along_curve(boxes, jobs)),
       slots_(boxes.size()),
       wanted_(std::max<std::size_t>(1, (boxes.size() + 3) / 4), 0xF) {
   for (std::size_t nodes = 1; nodes < wanted_.size(); nodes *= 4) leaves_ += nodes;
   boxes_.resize(leaves_ + wanted_.size());
-  for (std::size_t slot = 0; slot < places_.size(); ++slot) {
-    slots_[places_[slot]] = static_cast<std::uint32_t>(slot);
-    boxes_[leaves_ + slot / 4].set(slot % 4, boxes[places_[slot]]);
-  }
+  for_each_range_in_parallel(jobs, places_.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t slot = first; slot < end; ++slot) {  // no leaf is in two ranges
+      slots_[places_[slot]] = static_cast<std::uint32_t>(slot);
+      boxes_[leaves_ + slot / 4].set(slot % 4, boxes[places_[slot]]);
+    }
+  });
   for (std::size_t node = boxes_.size() - 1; node > 0; --node)
     boxes_[parent(node)].set((node - 1) % 4, boxes_[node].around(0xF));
 }

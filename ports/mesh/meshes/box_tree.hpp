@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "jobs/ordered_pipeline.hpp"
 #include "surface/point.hpp"
 
 namespace discmc::meshing {
@@ -102,24 +103,26 @@ class FourBoxes {
   std::array<Floats, 3> low_, high_;
 };
 
-/// Returns the boxes of triangles corners_of(i), for i from 0 on.
+/// Returns the boxes of triangles corners_of(i), for i from 0 on. jobs: threads that call it.
 template <class CornersOf>
-std::vector<Box> boxes_of(std::size_t count, CornersOf corners_of) {
-  std::vector<Box> boxes;
-  boxes.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) boxes.emplace_back(corners_of(i));
+std::vector<Box> boxes_of(std::size_t count, CornersOf corners_of, unsigned jobs = 1) {
+  std::vector<Box> boxes(count);
+  for_each_range_in_parallel(jobs, count, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i)
+      boxes[i] = Box(corners_of(static_cast<std::uint32_t>(i)));
+  });
   return boxes;
 }
 
 /// Returns the indexes of boxes along a space-filling curve, which keeps near boxes together.
-std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes);
+std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes, unsigned jobs = 1);
 
 /// A tree of boxes with four per node, mostly near each other. Memory: 40 to 65 bytes per box.
 /// Time: n log n to build for n boxes.
 class BoxTree {
  public:
-  /// Limit: fewer than 2^32 boxes.
-  explicit BoxTree(const std::vector<Box>& boxes);
+  /// jobs: threads that share the work. Limit: fewer than 2^32 boxes.
+  explicit BoxTree(const std::vector<Box>& boxes, unsigned jobs = 1);
 
   /// Returns the distance of a point from the nearest item in the boxes, or `enough` if that is
   /// larger. A point near the previous one takes less time.

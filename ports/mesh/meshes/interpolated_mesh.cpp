@@ -3,192 +3,314 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "intersections.hpp"
+#include "jobs/ordered_pipeline.hpp"
 #include "outline.hpp"
 #include "refinement.hpp"
 
 namespace discmc::meshing {
 namespace {
 
-class InterpolatedMesh {
- public:
-  InterpolatedMesh(const Surface& surface, VertexNumbers vertices, const MeshingOptions& options)
-      : surface_(surface),
-        is_mirrored_(is_mirrored(surface.spacing_mm)),
-        vertices_(std::move(vertices)),
-        outline_(vertices_, true),
-        refinement_(*options.crossings, options.tolerance),
-        jobs_(options.jobs),
-        check_(options.check),
-        separates_(options.separates) {
-    number_what_sides_need();
+// The faces of all polygons, before some of them are renewed.
+struct EarlierFaces {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> polygons;  // one per face, ascending
+  std::vector<bool> leaves_out;         // one per face, as in MovedTriangles
+  std::vector<bool> is_outdated;        // one per polygon
+  std::size_t first_new;                // vertices from this number on are new
+};
+
+// The faces of a block of polygons.
+struct BlockFaces {
+  void clear() {
+    corners.clear();
+    polygons.clear();
+    leaves_out.clear();
+    renewed.clear();
+    left_out.clear();
+    added.clear();
   }
 
-  FaceMesh build() {
-    mesh_.spacing_mm = surface_.spacing_mm;
-    mesh_.lattice.reserve(vertices_.positions().size());
-    mesh_.vertices_mm.reserve(vertices_.positions().size());
-    place_vertices();
-    reserve_faces(mesh_, mesh_.lattice.size());
-    for_each_polygon([this](std::uint32_t polygon) { add_polygon(polygon); });
-    if (separates_) separate_faces();
-    return std::move(mesh_);
+  std::vector<std::uint32_t> corners;   // numbers of vertices; beyond them, of `added`
+  std::vector<std::uint32_t> polygons;  // one per face
+  std::vector<bool> leaves_out;         // one per face, as in MovedTriangles
+  std::vector<std::uint32_t> renewed;   // indexes of faces
+  std::vector<std::uint32_t> left_out;  // as in FaceMesh
+  std::vector<Vertex> added;            // vertices without a number
+};
+
+// Finds what the polygons of a block need. Each thread needs its own object.
+class BlockRefiner {
+ public:
+  // moved: the new positions of vertices. Owner: the caller keeps all.
+  BlockRefiner(const Surface& surface, const VertexNumbers& vertices,
+               const std::vector<Point>& moved, const MeshingOptions& options)
+      : surface_(surface),
+        vertices_(vertices),
+        moved_(moved),
+        is_mirrored_(is_mirrored(surface.spacing_mm)),
+        outline_(vertices, true),
+        refinement_(*options.crossings, options.tolerance) {}
+
+  // Finds the crossings that interpolated sides need as junctions, for both polygons of each side.
+  void find_needed(std::size_t block, std::vector<Vertex>& needed) {
+    needed.clear();
+    const PolygonSpan span = block_of(surface_.polygons, block);
+    for (std::size_t polygon = span.first; polygon < span.end; ++polygon)
+      for (const Ring& ring : surface_.polygons[polygon].rings)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+          add_needed(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], needed);
+  }
+
+  // Makes new triangles for outdated polygons, and for polygons with a new vertex on a side. Other
+  // polygons keep their earlier ones.
+  void make_faces(std::size_t block, const EarlierFaces& earlier, BlockFaces& faces) {
+    faces.clear();
+    const auto first = static_cast<std::uint32_t>(block_of(surface_.polygons, block).first);
+    auto end = static_cast<std::size_t>(
+        std::lower_bound(earlier.polygons.begin(), earlier.polygons.end(), first) -
+        earlier.polygons.begin());
+    for_each_polygon(surface_, block, outline_, [&](std::uint32_t polygon) {
+      const std::size_t begin = end;
+      while (end < earlier.polygons.size() && earlier.polygons[end] == polygon) ++end;
+      outline_.find_numbers();
+      const bool has_new_side =
+          std::any_of(outline_.numbers.begin(), outline_.numbers.end(),
+                      [&](std::uint32_t each) { return each >= earlier.first_new; });
+      if (earlier.is_outdated[polygon] || has_new_side) return add_polygon(polygon, faces);
+      if (begin == end) faces.left_out.push_back(polygon);
+      for (std::size_t face = begin; face < end; ++face)
+        add_face(polygon, earlier.corners.data() + 3 * face, earlier.leaves_out[face], faces);
+    });
   }
 
  private:
-  // Places the vertices that were added since the last call.
-  void place_vertices() {
-    const std::vector<Vertex>& positions = vertices_.positions();
-    for (std::size_t i = mesh_.lattice.size(); i < positions.size(); ++i) {
-      moved_.push_back(refinement_.moved(positions[i]));
-      mesh_.lattice.push_back(positions[i]);
-      mesh_.vertices_mm.push_back(in_mm(moved_.back(), surface_.spacing_mm));
-    }
-  }
-
-  // Calls `call` for each polygon, after following its outline and numbering its vertices.
-  template <class Call>
-  void for_each_polygon(Call call) {
-    for (std::size_t block = 0; block < block_count(surface_.polygons); ++block) {
-      if (check_) check_();
-      meshing::for_each_polygon(surface_, block, outline_, [&](std::uint32_t polygon) {
-        outline_.find_numbers();
-        call(polygon);
-      });
-    }
-  }
-
-  // Triangles that leave out crossings may intersect where two sheets are near each other. Such
-  // triangles get their crossings, until no such pair is left. Other intersecting pairs belong to
-  // the interpolated surface itself, and stay.
-  void separate_faces() {
-    FaceList faces = all_faces(mesh_);
-    for (;;) {
-      const std::size_t vertices = vertices_.positions().size();
-      std::vector<bool> is_outdated(surface_.polygons.size());
-      for (const auto& pair : intersecting_faces(mesh_, faces, check_, jobs_, leaves_out_))
-        for (const std::uint32_t face : pair)
-          if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
-      if (vertices_.positions().size() == vertices) return;
-      faces = near_faces(mesh_, renewed_faces(is_outdated, vertices));
-    }
-  }
-
-  // Numbers the crossings in a face and on its sides. Returns whether there was a new crossing.
-  bool number_crossings(std::size_t face) {
-    const std::size_t vertices = vertices_.positions().size();
-    const Incidence incidence = surface_.polygons[mesh_.polygons[face]].incidence;
-    const std::uint32_t* corners = mesh_.face(face);
-    const LatticePlane plane(mesh_.lattice[corners[0]], incidence);
-    std::array<PlanePoint, 3> points;
-    for (std::size_t i = 0; i < 3; ++i)
-      points[i] = plane.at(mesh_.lattice[corners[is_mirrored_ ? 2 - i : i]]);
-    Refinement::add_crossings(plane, points, vertices_);
-    return vertices_.positions().size() > vertices;
-  }
-
-  // Replaces the triangles of outdated polygons, and of polygons with a new vertex on a side.
-  FaceList renewed_faces(const std::vector<bool>& is_outdated, std::size_t first_new) {
-    place_vertices();
-    FaceMesh earlier;
-    std::swap(earlier.corners, mesh_.corners);
-    std::swap(earlier.face_begin, mesh_.face_begin);
-    std::swap(earlier.polygons, mesh_.polygons);
-    const std::vector<bool> left_out_earlier = std::exchange(leaves_out_, {});
-    mesh_.left_out.clear();
-    reserve_faces(mesh_, mesh_.lattice.size());
-    FaceList renewed;
-    std::size_t end = 0;
-    for_each_polygon([&](std::uint32_t polygon) {
-      const std::size_t begin = end;
-      while (end < earlier.face_count() && earlier.polygons[end] == polygon) ++end;
-      const bool has_new_side = std::any_of(outline_.numbers.begin(), outline_.numbers.end(),
-                                            [&](std::uint32_t each) { return each >= first_new; });
-      if (!is_outdated[polygon] && !has_new_side) {
-        for (std::size_t face = begin; face < end; ++face)
-          add_triangle(polygon, earlier.face(face), left_out_earlier[face]);
-        return;
-      }
-      std::size_t face = mesh_.face_count();
-      add_polygon(polygon);
-      for (; face < mesh_.face_count(); ++face) renewed.push_back(static_cast<std::uint32_t>(face));
-    });
-    return renewed;
-  }
-
-  // Adds the crossings that an interpolated side needs as junctions, for both polygons of the side.
-  void number_what_sides_need() {
-    std::vector<Vertex> needed;
-    for (const Polygon& polygon : surface_.polygons)
-      for (const Ring& ring : polygon.rings)
-        for (std::size_t i = 0; i < ring.size(); ++i)
-          add_what_sides_need(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], needed);
-    for (const Vertex& vertex : needed) vertices_.add(vertex);
-  }
-
   // Splits the side at its junctions, and adds what each part needs.
-  void add_what_sides_need(const Vertex& from, const Vertex& to, std::vector<Vertex>& needed) {
+  void add_needed(const Vertex& from, const Vertex& to, std::vector<Vertex>& needed) {
     const Side side = side_between(from, to);
     side_ = {from};
     for (std::int32_t i = 1; i <= side.links; ++i) {
       const Vertex vertex = side_.back() + side.link;
       side_.push_back(vertex);
-      if (vertices_.find(vertex) == VertexNumbers::none) continue;
+      if (!vertices_.has(vertex)) continue;
       if (precedes(side_.back(), side_.front())) std::reverse(side_.begin(), side_.end());
       for (const std::size_t place : refinement_.needed(side_)) needed.push_back(side_[place]);
       side_ = {vertex};
     }
   }
 
-  void add_polygon(std::uint32_t polygon) {
+  void add_polygon(std::uint32_t polygon, BlockFaces& faces) {
     const std::vector<Triangle>& triangles =
         triangulator_.triangulate(outline_, surface_.polygons[polygon].incidence);
-    if (triangles.empty())
-      mesh_.left_out.push_back(polygon);
-    else
-      add_refined(polygon, triangles);
-  }
-
-  void add_refined(std::uint32_t polygon, const std::vector<Triangle>& triangles) {
-    const LatticePlane& plane = triangulator_.plane();
+    if (triangles.empty()) return faces.left_out.push_back(polygon);
     std::vector<std::uint32_t>& numbers = outline_.numbers;
     refined_.points = triangulator_.points();
     refined_.moved.clear();
     for (const std::uint32_t number : numbers) refined_.moved.push_back(moved_[number]);
     refined_.triangles = triangles;
-    refinement_.refine(plane, vertices_, refined_);
+    refinement_.refine(triangulator_.plane(), vertices_, refined_);
     for (std::size_t i = numbers.size(); i < refined_.points.size(); ++i)
-      numbers.push_back(vertices_.add(plane.vertex(refined_.points[i])));
-    place_vertices();
+      numbers.push_back(number_of(triangulator_.plane().vertex(refined_.points[i]), faces));
+    const std::size_t first = faces.polygons.size();
     for (std::size_t place = 0; place < refined_.triangles.size(); ++place) {
       const Triangle& triangle = refined_.triangles[place];
       std::array<std::uint32_t, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = numbers[triangle[is_mirrored_ ? 2 - i : i]];
-      add_triangle(polygon, corners.data(), refined_.leaves_out[place]);
+      add_face(polygon, corners.data(), refined_.leaves_out[place], faces);
     }
+    for (std::size_t face = first; face < faces.polygons.size(); ++face)
+      faces.renewed.push_back(static_cast<std::uint32_t>(face));
   }
 
-  void add_triangle(std::uint32_t polygon, const std::uint32_t* corners, bool leaves_out) {
-    mesh_.corners.insert(mesh_.corners.end(), corners, corners + 3);
-    mesh_.face_begin.push_back(mesh_.corners.size());
-    mesh_.polygons.push_back(polygon);
-    leaves_out_.push_back(leaves_out);
+  std::uint32_t number_of(const Vertex& vertex, BlockFaces& faces) const {
+    const std::uint32_t number = vertices_.find(vertex);
+    if (number != VertexNumbers::none) return number;
+    faces.added.push_back(vertex);
+    return static_cast<std::uint32_t>(moved_.size() + faces.added.size() - 1);
+  }
+
+  static void add_face(std::uint32_t polygon, const std::uint32_t* corners, bool leaves_out,
+                       BlockFaces& faces) {
+    faces.corners.insert(faces.corners.end(), corners, corners + 3);
+    faces.polygons.push_back(polygon);
+    faces.leaves_out.push_back(leaves_out);
   }
 
   const Surface& surface_;
+  const VertexNumbers& vertices_;
+  const std::vector<Point>& moved_;
   bool is_mirrored_;
-  VertexNumbers vertices_;
   Outline outline_;  // of the current polygon
   OutlineTriangulator triangulator_;
   Refinement refinement_;
-  unsigned jobs_;
-  std::function<void()> check_;
-  bool separates_;
   std::vector<Vertex> side_;  // of the current part of a side
   MovedTriangles refined_;
-  std::vector<Point> moved_;  // new positions of corners and junctions; Units: half-steps
+};
+
+class InterpolatedMesh {
+ public:
+  InterpolatedMesh(const Surface& surface, VertexNumbers vertices, const MeshingOptions& options)
+      : surface_(surface), options_(options), vertices_(std::move(vertices)) {}
+
+  FaceMesh build() {
+    mesh_.spacing_mm = surface_.spacing_mm;
+    mesh_.lattice.resize(vertices_.size());
+    for_each_in_parallel(options_.jobs, vertices_.part_count(), [this](std::size_t part) {
+      vertices_.for_each(part, [this](std::uint32_t number, const Vertex& vertex) {
+        mesh_.lattice[number] = vertex;
+      });
+    });
+    number_what_sides_need();
+    place_vertices();
+    FaceList faces = make_faces(std::vector<bool>(surface_.polygons.size(), true), 0);
+    if (options_.separates) separate_faces(std::move(faces));
+    return std::move(mesh_);
+  }
+
+ private:
+  template <class Item>
+  struct Block {
+    std::unique_ptr<BlockRefiner> refiner;
+    Item found;
+  };
+
+  // Calls work(refiner, block, item) for all blocks in parallel, and consume(item) in order.
+  template <class Item, class Work, class Consume>
+  void for_each_block(Work work, Consume consume) {
+    run_in_order<Block<Item>>(
+        options_.jobs, block_count(surface_.polygons),
+        [this](std::size_t, Block<Item>& block) {
+          if (block.refiner == nullptr)
+            block.refiner = std::make_unique<BlockRefiner>(surface_, vertices_, moved_, options_);
+        },
+        [&](std::size_t number, Block<Item>& block) { work(*block.refiner, number, block.found); },
+        [&](std::size_t, const Block<Item>& block) {
+          if (options_.check) options_.check();
+          consume(block.found);
+        });
+  }
+
+  void number_what_sides_need() {
+    std::vector<Vertex> needed;
+    for_each_block<std::vector<Vertex>>(
+        [](BlockRefiner& refiner, std::size_t block, std::vector<Vertex>& found) {
+          refiner.find_needed(block, found);
+        },
+        [&needed](const std::vector<Vertex>& found) {
+          needed.insert(needed.end(), found.begin(), found.end());
+        });
+    for (const Vertex& vertex : needed) add_vertex(vertex);
+  }
+
+  std::uint32_t add_vertex(const Vertex& vertex) {
+    const std::uint32_t number = vertices_.add(vertex);
+    if (number == mesh_.lattice.size()) mesh_.lattice.push_back(vertex);
+    return number;
+  }
+
+  // Places the vertices that were added since the last call.
+  void place_vertices() {
+    const std::size_t placed = moved_.size(), all = mesh_.lattice.size();
+    moved_.resize(all);
+    mesh_.vertices_mm.resize(all);
+    for_each_range_in_parallel(options_.jobs, all - placed,
+                               [&](std::size_t first, std::size_t end) {
+                                 for (std::size_t i = placed + first; i < placed + end; ++i) {
+                                   moved_[i] = options_.crossings->interpolated(mesh_.lattice[i]);
+                                   mesh_.vertices_mm[i] = in_mm(moved_[i], surface_.spacing_mm);
+                                 }
+                               });
+  }
+
+  // Makes the faces of outdated polygons, and of polygons with a new vertex on a side. Returns the
+  // indexes of these faces.
+  FaceList make_faces(std::vector<bool> is_outdated, std::size_t first_new) {
+    const EarlierFaces earlier{std::exchange(mesh_.corners, {}), std::exchange(mesh_.polygons, {}),
+                               std::exchange(leaves_out_, {}), std::move(is_outdated), first_new};
+    mesh_.left_out.clear();
+    reserve_faces(mesh_, mesh_.lattice.size());
+    FaceList renewed;
+    std::vector<Vertex> added;
+    for_each_block<BlockFaces>(
+        [&earlier](BlockRefiner& refiner, std::size_t block, BlockFaces& faces) {
+          refiner.make_faces(block, earlier, faces);
+        },
+        [&](const BlockFaces& faces) { append(faces, renewed, added); });
+    mesh_.face_begin.resize(mesh_.polygons.size() + 1);
+    for (std::size_t face = 0; face < mesh_.face_begin.size(); ++face)
+      mesh_.face_begin[face] = 3 * face;
+    number_added(added);
+    return renewed;
+  }
+
+  void append(const BlockFaces& faces, FaceList& renewed, std::vector<Vertex>& added) {
+    const auto first_face = static_cast<std::uint32_t>(mesh_.polygons.size());
+    const auto first_added = static_cast<std::uint32_t>(added.size());
+    const std::size_t numbered = moved_.size();
+    const auto corners =
+        mesh_.corners.insert(mesh_.corners.end(), faces.corners.begin(), faces.corners.end());
+    std::for_each(corners, mesh_.corners.end(), [numbered, first_added](std::uint32_t& corner) {
+      corner += corner < numbered ? 0 : first_added;
+    });
+    mesh_.polygons.insert(mesh_.polygons.end(), faces.polygons.begin(), faces.polygons.end());
+    leaves_out_.insert(leaves_out_.end(), faces.leaves_out.begin(), faces.leaves_out.end());
+    const auto faces_renewed =
+        renewed.insert(renewed.end(), faces.renewed.begin(), faces.renewed.end());
+    std::for_each(faces_renewed, renewed.end(),
+                  [first_face](std::uint32_t& face) { face += first_face; });
+    mesh_.left_out.insert(mesh_.left_out.end(), faces.left_out.begin(), faces.left_out.end());
+    added.insert(added.end(), faces.added.begin(), faces.added.end());
+  }
+
+  // Numbers the vertices that faces have added, in place of their indexes.
+  void number_added(const std::vector<Vertex>& added) {
+    const std::size_t numbered = moved_.size();
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(added.size());
+    for (const Vertex& vertex : added) numbers.push_back(add_vertex(vertex));
+    for (std::uint32_t& corner : mesh_.corners)
+      if (corner >= numbered) corner = numbers[corner - numbered];
+    place_vertices();
+  }
+
+  // Triangles that leave out crossings may intersect where two sheets are near each other. Such
+  // triangles get their crossings, until no such pair is left. Other intersecting pairs belong to
+  // the interpolated surface itself, and stay.
+  void separate_faces(FaceList faces) {
+    for (;;) {
+      const std::size_t vertices = mesh_.lattice.size();
+      std::vector<bool> is_outdated(surface_.polygons.size());
+      for (const auto& pair :
+           intersecting_faces(mesh_, faces, options_.check, options_.jobs, leaves_out_))
+        for (const std::uint32_t face : pair)
+          if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
+      if (mesh_.lattice.size() == vertices) return;
+      place_vertices();
+      faces = near_faces(mesh_, make_faces(std::move(is_outdated), vertices), options_.jobs);
+    }
+  }
+
+  // Numbers the crossings in a face and on its sides. Returns whether there was a new crossing.
+  bool number_crossings(std::size_t face) {
+    const std::size_t vertices = mesh_.lattice.size();
+    const Incidence incidence = surface_.polygons[mesh_.polygons[face]].incidence;
+    const std::uint32_t* corners = mesh_.face(face);
+    const LatticePlane plane(mesh_.lattice[corners[0]], incidence);
+    const bool is_reversed = is_mirrored(surface_.spacing_mm);
+    std::array<PlanePoint, 3> points;
+    for (std::size_t i = 0; i < 3; ++i)
+      points[i] = plane.at(mesh_.lattice[corners[is_reversed ? 2 - i : i]]);
+    for (const Vertex& crossing : Refinement::crossings_in(plane, points)) add_vertex(crossing);
+    return mesh_.lattice.size() > vertices;
+  }
+
+  const Surface& surface_;
+  MeshingOptions options_;
+  VertexNumbers vertices_;
+  std::vector<Point> moved_;  // new positions of numbered vertices; Units: half-steps
   FaceMesh mesh_;
   std::vector<bool> leaves_out_;  // one per face, as in MovedTriangles
 };

@@ -26,9 +26,9 @@ bool intersect(const FaceMesh& mesh, const ComparedTriangle& one, std::uint32_t 
   return !share_an_edge && intersect(one, placed(mesh, other));
 }
 
-std::vector<Box> boxes_of(const FaceMesh& mesh, const FaceList& faces) {
-  return meshing::boxes_of(faces.size(),
-                           [&](std::uint32_t i) { return corners_of(mesh, faces[i]); });
+BoxTree tree_of(const FaceMesh& mesh, const FaceList& faces, unsigned jobs) {
+  const auto corners = [&](std::uint32_t i) { return corners_of(mesh, faces[i]); };
+  return BoxTree(boxes_of(faces.size(), corners, jobs), jobs);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ FaceList all_faces(const FaceMesh& mesh) {
 std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces,
                                          const std::function<void()>& check, unsigned jobs,
                                          const std::vector<bool>& is_wanted) {
-  BoxTree tree(boxes_of(mesh, faces));
+  BoxTree tree = tree_of(mesh, faces, jobs);
   if (!is_wanted.empty())
     tree.keep_pairs_with([&](std::uint32_t place) { return is_wanted[faces[place]]; });
   std::vector<FacePair> pairs;
@@ -65,12 +65,17 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
   return pairs;
 }
 
-FaceList near_faces(const FaceMesh& mesh, const FaceList& faces) {
+FaceList near_faces(const FaceMesh& mesh, const FaceList& faces, unsigned jobs) {
+  const BoxTree tree = tree_of(mesh, faces, jobs);
+  std::vector<std::uint8_t> is_near(mesh.face_count());
+  for_each_range_in_parallel(jobs, is_near.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t face = first; face < end; ++face)
+      is_near[face] = tree.any_near(Box(corners_of(mesh, static_cast<std::uint32_t>(face))),
+                                    [](std::uint32_t, const Box&) { return true; });
+  });
   FaceList near;
-  const BoxTree tree(boxes_of(mesh, faces));
-  for (std::uint32_t face = 0; face < mesh.face_count(); ++face)
-    if (tree.any_near(Box(corners_of(mesh, face)), [](std::uint32_t, const Box&) { return true; }))
-      near.push_back(face);
+  for (std::uint32_t face = 0; face < is_near.size(); ++face)
+    if (is_near[face] != 0) near.push_back(face);
   return near;
 }
 

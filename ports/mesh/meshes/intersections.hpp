@@ -27,7 +27,7 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
 
 /// Returns all faces of the mesh whose boxes overlap the box of one of these faces. Limit:
 /// triangles.
-FaceList near_faces(const FaceMesh& mesh, const FaceList& faces);
+FaceList near_faces(const FaceMesh& mesh, const FaceList& faces, unsigned jobs);
 
 }  // namespace discmc::meshing
 

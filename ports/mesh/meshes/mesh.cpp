@@ -17,8 +17,8 @@ FaceMesh build_mesh(const Surface& surface, const MeshingOptions& options) {
   const bool are_conforming_triangles = options.is_conforming && options.faces == Faces::triangles;
   if (options.crossings != nullptr && !are_conforming_triangles)
     throw std::invalid_argument("an interpolated mesh is one of conforming triangles");
-  VertexNumbers vertices(surface.polygons);
-  return options.crossings == nullptr ? plane_mesh(surface, std::move(vertices), options)
+  VertexNumbers vertices(surface.polygons, options.jobs);
+  return options.crossings == nullptr ? plane_mesh(surface, vertices, options)
                                       : interpolated_mesh(surface, std::move(vertices), options);
 }
 

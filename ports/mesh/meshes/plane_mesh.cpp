@@ -1,7 +1,6 @@
 #include "plane_mesh.hpp"
 
 #include <memory>
-#include <utility>
 
 #include "jobs/ordered_pipeline.hpp"
 #include "plane_faces.hpp"
@@ -25,37 +24,39 @@ void append_faces(FaceMesh& mesh, const FaceMesh& part) {
   append(mesh.left_out, part.left_out);
 }
 
-void place_vertices(const std::vector<Vertex>& positions, FaceMesh& mesh) {
-  mesh.vertices_mm.reserve(positions.size());
-  for (const Vertex& vertex : positions)
-    mesh.vertices_mm.push_back(in_mm(point_of(vertex), mesh.spacing_mm));
+void place_vertices(const VertexNumbers& vertices, unsigned jobs, FaceMesh& mesh) {
+  mesh.lattice.resize(vertices.size());
+  mesh.vertices_mm.resize(vertices.size());
+  for_each_in_parallel(jobs, vertices.part_count(), [&](std::size_t part) {
+    vertices.for_each(part, [&mesh](std::uint32_t number, const Vertex& vertex) {
+      mesh.lattice[number] = vertex;
+      mesh.vertices_mm[number] = in_mm(point_of(vertex), mesh.spacing_mm);
+    });
+  });
 }
 
 }  // namespace
 
-FaceMesh plane_mesh(const Surface& surface, VertexNumbers vertices, const MeshingOptions& options) {
+FaceMesh plane_mesh(const Surface& surface, const VertexNumbers& vertices,
+                    const MeshingOptions& options) {
   FaceMesh mesh;
   mesh.spacing_mm = surface.spacing_mm;
-  reserve_faces(mesh, vertices.positions().size());
+  place_vertices(vertices, options.jobs, mesh);
+  reserve_faces(mesh, vertices.size());
   struct Block {
     std::unique_ptr<PlaneFaces> faces;
     FaceMesh part;
   };
-  // The first blocks also place vertices, in parallel with their faces.
   run_in_order<Block>(
-      options.jobs, 1 + block_count(surface.polygons),
+      options.jobs, block_count(surface.polygons),
       [&](std::size_t, Block& block) {
         if (!block.faces) block.faces = std::make_unique<PlaneFaces>(surface, vertices, options);
       },
-      [&](std::size_t number, Block& block) {
-        if (number == 0) return place_vertices(vertices.positions(), mesh);
-        block.faces->make(number - 1, block.part);
-      },
+      [](std::size_t number, Block& block) { block.faces->make(number, block.part); },
       [&](std::size_t, Block& block) {
         if (options.check) options.check();
         append_faces(mesh, block.part);
       });
-  mesh.lattice = std::move(vertices).positions();
   return mesh;
 }
 

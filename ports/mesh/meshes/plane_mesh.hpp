@@ -8,7 +8,8 @@
 namespace discmc::meshing {
 
 /// Implements build_mesh(). vertices: of its polygons. Limit: no interpolation.
-FaceMesh plane_mesh(const Surface& surface, VertexNumbers vertices, const MeshingOptions& options);
+FaceMesh plane_mesh(const Surface& surface, const VertexNumbers& vertices,
+                    const MeshingOptions& options);
 
 }  // namespace discmc::meshing
 

@@ -163,10 +163,13 @@ Refinement::Farthest Refinement::farthest(const LatticePlane& plane, const Verte
   return result;
 }
 
-void Refinement::add_crossings(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
-                               VertexNumbers& vertices) {
-  for_each_crossing(plane, corners, {true, true, true},
-                    [&vertices](const PlanePoint&, const Vertex& vertex) { vertices.add(vertex); });
+std::vector<Vertex> Refinement::crossings_in(const LatticePlane& plane,
+                                             const std::array<PlanePoint, 3>& corners) {
+  std::vector<Vertex> crossings;
+  for_each_crossing(
+      plane, corners, {true, true, true},
+      [&crossings](const PlanePoint&, const Vertex& vertex) { crossings.push_back(vertex); });
+  return crossings;
 }
 
 }  // namespace discmc::meshing

@@ -35,9 +35,6 @@ class Refinement {
   /// crossings: the caller.
   Refinement(const Crossings& crossings, double tolerance);
 
-  /// Returns the new position of a vertex. Units: half-steps.
-  Point moved(const Vertex& vertex) const { return crossings_.interpolated(vertex); }
-
   /// Returns the indexes of vertices that a straight side needs between its ends; valid until the
   /// next call. side: all its vertices, in one order for both polygons of the side.
   const std::vector<std::size_t>& needed(const std::vector<Vertex>& side);
@@ -46,9 +43,9 @@ class Refinement {
   /// polygon. required: vertices to add in any case.
   void refine(const LatticePlane& plane, const VertexNumbers& required, MovedTriangles& triangles);
 
-  /// Adds the crossings in a triangle and on its sides to the vertices.
-  static void add_crossings(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
-                            VertexNumbers& vertices);
+  /// Returns the crossings in a triangle and on its sides.
+  static std::vector<Vertex> crossings_in(const LatticePlane& plane,
+                                          const std::array<PlanePoint, 3>& corners);
 
  private:
   struct Farthest {
@@ -57,6 +54,7 @@ class Refinement {
     Point moved;
     bool leaves_out;  // as in MovedTriangles
   };
+  Point moved(const Vertex& vertex) const { return crossings_.interpolated(vertex); }
   Farthest farthest(const LatticePlane& plane, const VertexNumbers& required,
                     const MovedTriangles& triangles, std::uint32_t triangle) const;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <discmc/base/compiler.hpp>
+#include "jobs/ordered_pipeline.hpp"
 
 namespace discmc::meshing {
 
@@ -27,7 +27,8 @@ void VertexNumbers::set_slots(std::size_t count) {
 // Gives each block in the box around all corners a slot of its own, if there are few of them.
 void VertexNumbers::lay_out(const Array<Vertex>& corners) {
   if (corners.empty()) return;
-  const auto [low, high] = box_around(corners.begin(), corners.end());
+  box_ = box_around(corners.begin(), corners.end());
+  const auto& [low, high] = box_;
   const auto blocks_from = [](std::int32_t first, std::int32_t last) {
     return static_cast<std::uint64_t>((std::int64_t{last} >> 3) - (std::int64_t{first} >> 3) + 1);
   };
@@ -42,46 +43,57 @@ void VertexNumbers::lay_out(const Array<Vertex>& corners) {
   set_slots(slots);
 }
 
-VertexNumbers::VertexNumbers(const Polygons& polygons) {
-  lay_out(polygons.corners());
-  for (const Polygon& polygon : polygons)
-    for (const Vertex& corner : polygon.rings.corners())
+void VertexNumbers::mark_corners(const Polygons& polygons, std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; ++i)
+    for (const Vertex& corner : polygons[i].rings.corners())
       block_at(origin_of(corner)).bits[Block::row(corner)] |= Block::bit(corner);
-  // At least three polygons meet in a corner. Unused reserved memory costs nothing.
-  positions_.reserve(polygons.corners().size() / 3);
-  for (Block& each : blocks_) number_block(each);
+}
+
+void VertexNumbers::merge_marks(const VertexNumbers& part) {
+  for (const Block& each : part.blocks_) {
+    Block& block = block_at(each.origin);
+    for (std::size_t row = 0; row < std::size(block.bits); ++row) block.bits[row] |= each.bits[row];
+  }
+}
+
+VertexNumbers::VertexNumbers(const Polygons& polygons, unsigned jobs) {
+  lay_out(polygons.corners());
+  // Parts of polygons that follow each other, marked in parallel and merged in order. Each part has
+  // slots of its own.
+  constexpr std::size_t max_parts = 4, polygons_per_part = 1 << 12;
+  const std::size_t parts =
+      std::min<std::size_t>({jobs, max_parts, 1 + polygons.size() / polygons_per_part});
+  std::vector<VertexNumbers> others(parts - 1, *this);
+  for_each_in_parallel(jobs, parts, [&](std::size_t part) {
+    (part == 0 ? *this : others[part - 1])
+        .mark_corners(polygons, polygons.size() * part / parts,
+                      polygons.size() * (part + 1) / parts);
+  });
+  for (const VertexNumbers& part : others) merge_marks(part);
+  for (Block& each : blocks_) {
+    each.first = size_;
+    size_ += each.count_rows();
+  }
 }
 
 std::uint32_t VertexNumbers::add(const Vertex& vertex) {
   Block& block = block_at(origin_of(vertex));
-  if (block.has(vertex)) return number(block, vertex);
+  if (block.has(vertex)) return number(block, block.rank(vertex));
   if (block.list == none) list_numbers(block);
-  const auto next = static_cast<std::uint32_t>(positions_.size());
   std::vector<std::uint32_t>& numbers = numbers_[block.list];
-  numbers.insert(numbers.begin() + block.rank(vertex), next);
+  numbers.insert(numbers.begin() + block.rank(vertex), size_);
   block.bits[Block::row(vertex)] |= Block::bit(vertex);
   block.count_rows();
-  positions_.push_back(vertex);
-  return next;
+  return size_++;
 }
 
-void VertexNumbers::Block::count_rows() {
+std::uint32_t VertexNumbers::Block::count_rows() {
   std::uint32_t count = 0;
   for (std::size_t row = 0; row < 8; ++row) {
     before[row] = static_cast<std::uint8_t>(count);
     count += count_of(bits[row]);
   }
-}
-
-void VertexNumbers::number_block(Block& block) {
-  block.first = static_cast<std::uint32_t>(positions_.size());
-  block.count_rows();
-  for (std::int32_t z = 0; z < 8; ++z)
-    for (std::uint32_t left = block.bits[z]; left != 0; left &= left - 1) {
-      const auto bit = static_cast<std::int32_t>(trailing_zeros(left));
-      const std::int32_t y = bit >> 2, x = (bit & 3) << 1;
-      positions_.push_back(block.origin + Vertex{x + ((y + z + 1) & 1), y, z});
-    }
+  return count;
 }
 
 void VertexNumbers::list_numbers(Block& block) {

@@ -2,12 +2,13 @@
 #ifndef DISCMC_MESH_MESHES_VERTEX_NUMBERS_HPP
 #define DISCMC_MESH_MESHES_VERTEX_NUMBERS_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
+#include <discmc/base/compiler.hpp>
 #include <discmc/lattice.hpp>
 
 #include "surface/polygons.hpp"
@@ -16,16 +17,16 @@ namespace discmc::meshing {
 
 /// Numbers vertices from zero on. The lattice is divided into blocks of 8 x 8 x 8 points; each
 /// block has a bit per vertex. A vertex's number is the block's first number plus the count of bits
-/// before its own. Blocks without a vertex use no memory. Limit: vertices of the lattice, which
-/// have an odd coordinate sum.
+/// before its own. Blocks without a vertex use no memory, and positions follow from the bits.
+/// Limit: vertices of the lattice, which have an odd coordinate sum.
 class VertexNumbers {
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
   VertexNumbers() = default;
   /// Numbers all corners of polygons, block by block, in the order in which polygons reach the
-  /// blocks.
-  explicit VertexNumbers(const Polygons& polygons);
+  /// blocks. jobs: threads that share the work.
+  explicit VertexNumbers(const Polygons& polygons, unsigned jobs = 1);
 
   /// Returns the number of a vertex. A new vertex gets the next number.
   std::uint32_t add(const Vertex& vertex);
@@ -33,7 +34,9 @@ class VertexNumbers {
   /// Returns the number of a vertex, or none.
   std::uint32_t find(const Vertex& vertex) const {
     const std::uint32_t block = find_block(origin_of(vertex));
-    return block != none && blocks_[block].has(vertex) ? number(blocks_[block], vertex) : none;
+    return block != none && blocks_[block].has(vertex)
+               ? number(blocks_[block], blocks_[block].rank(vertex))
+               : none;
   }
 
   bool has(const Vertex& vertex) const {
@@ -41,11 +44,25 @@ class VertexNumbers {
     return block != none && blocks_[block].has(vertex);
   }
 
-  /// The positions by number.
-  const std::vector<Vertex>& positions() const& { return positions_; }
-  std::vector<Vertex> positions() && { return std::move(positions_); }
+  /// The box around the corners of the polygons. Limit: there is one.
+  const VertexBox& box() const { return box_; }
+  /// The number of vertices.
+  std::uint32_t size() const { return size_; }
+  /// Vertices are visited in parts of some thousands.
+  std::size_t part_count() const {
+    return (blocks_.size() + blocks_per_part - 1) / blocks_per_part;
+  }
+  /// Calls call(number, vertex) for each vertex of a part. Numbers ascend, also from part to part,
+  /// if none was added.
+  template <class Call>
+  void for_each(std::size_t part, Call call) const {
+    const std::size_t end = std::min((part + 1) * blocks_per_part, blocks_.size());
+    for (std::size_t i = part * blocks_per_part; i < end; ++i) for_each_of(blocks_[i], call);
+  }
 
  private:
+  static constexpr std::size_t blocks_per_part = 1 << 9;
+
   struct Block {
     static std::uint32_t row(const Vertex& vertex) {
       return static_cast<std::uint32_t>(vertex.z & 7);
@@ -59,7 +76,8 @@ class VertexNumbers {
     std::uint32_t rank(const Vertex& vertex) const {
       return before[row(vertex)] + count_of(bits[row(vertex)] & (bit(vertex) - 1));
     }
-    void count_rows();
+    /// Returns the number of vertices.
+    std::uint32_t count_rows();
 
     Vertex origin;
     std::uint32_t first = 0;      ///< number of the block's first vertex
@@ -76,8 +94,8 @@ class VertexNumbers {
   static Vertex origin_of(const Vertex& vertex) {
     return {vertex.x & ~7, vertex.y & ~7, vertex.z & ~7};
   }
-  std::uint32_t number(const Block& block, const Vertex& vertex) const {
-    const std::uint32_t rank = block.rank(vertex);
+  // rank: the number of vertices of the block before the vertex.
+  std::uint32_t number(const Block& block, std::uint32_t rank) const {
     return block.list == none ? block.first + rank : numbers_[block.list][rank];
   }
 
@@ -94,11 +112,22 @@ class VertexNumbers {
     while (slots_[slot] != none && blocks_[slots_[slot]].origin != origin) slot = (slot + 1) & mask;
     return slot;
   }
+  template <class Call>
+  void for_each_of(const Block& block, Call call) const {
+    std::uint32_t rank = 0;
+    for (std::int32_t z = 0; z < 8; ++z)
+      for (std::uint32_t left = block.bits[z]; left != 0; left &= left - 1, ++rank) {
+        const auto bit = static_cast<std::int32_t>(trailing_zeros(left));
+        const std::int32_t y = bit >> 2, x = (bit & 3) << 1;
+        call(number(block, rank), block.origin + Vertex{x + ((y + z + 1) & 1), y, z});
+      }
+  }
   Block& block_at(const Vertex& origin);
   Block& new_block(const Vertex& origin);
   void set_slots(std::size_t count);
   void lay_out(const Array<Vertex>& corners);
-  void number_block(Block& block);
+  void mark_corners(const Polygons& polygons, std::size_t first, std::size_t end);
+  void merge_marks(const VertexNumbers& part);
   void list_numbers(Block& block);
 
   // Indexes of blocks, hashed; at least half are free. The hash is the sum of the coordinates of a
@@ -108,7 +137,8 @@ class VertexNumbers {
                                       0x165667B19E3779F9u};
   Array<Block> blocks_;
   std::vector<std::vector<std::uint32_t>> numbers_;
-  std::vector<Vertex> positions_;
+  std::uint32_t size_ = 0;
+  VertexBox box_{};
 };
 
 }  // namespace discmc::meshing

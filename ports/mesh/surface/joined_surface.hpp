@@ -11,7 +11,7 @@ namespace discmc::meshing {
 /// so it cannot be moved.
 class JoinedSurface {
  public:
-  explicit JoinedSurface(Kept kept = Kept::polygons) : builder_(kept) {}
+  explicit JoinedSurface(Kept kept = Kept::polygons, unsigned jobs = 1) : builder_(kept, jobs) {}
   JoinedSurface(const JoinedSurface&) = delete;
   JoinedSurface& operator=(const JoinedSurface&) = delete;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "jobs/ordered_pipeline.hpp"
+
 namespace discmc::meshing {
 
 // A polygon with its first corner, which mostly decides the order.
@@ -41,7 +43,7 @@ struct Range {
 }  // namespace
 
 // Polygons are nearly in order already, row by row, within layers of few coordinates z.
-void Polygons::sort() {
+void Polygons::sort(unsigned jobs) {
   constexpr std::int64_t max_layers = 1 << 11;
   Range z;
   for (const Record& record : records_) z.include(first_corner(record).z);
@@ -50,22 +52,28 @@ void Polygons::sort() {
   const std::vector<std::size_t> ends = distribute(records_, max_layers, [&](const Record& record) {
     return static_cast<std::size_t>((first_corner(record).z - z.low) >> shift);
   });
+  constexpr std::size_t layers_per_step = 1 << 4, polygons_per_job = 1 << 12;
+  jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, 1 + size() / polygons_per_job));
+  for_each_in_parallel(jobs, max_layers / layers_per_step, [&](std::size_t step) {
+    for (std::size_t i = step * layers_per_step; i < (step + 1) * layers_per_step; ++i)
+      sort_layer(records_.begin() + (i > 0 ? ends[i - 1] : 0), records_.begin() + ends[i],
+                 shift == 0);
+  });
+}
+
+// is_flat: whether all first corners have the same coordinate z.
+void Polygons::sort_layer(Record* begin, Record* end, bool is_flat) const {
   Array<Placed> layer;
-  std::size_t begin = 0;
-  for (const std::size_t end : ends) {
-    layer.resize(end - begin);
-    std::transform(records_.begin() + begin, records_.begin() + end, layer.begin(),
-                   [this](const Record& record) {
-                     return Placed{first_corner(record), record};
-                   });
-    if (shift == 0)
-      sort_rows(layer);
-    else
-      sort(layer.begin(), layer.end());
-    std::transform(layer.begin(), layer.end(), records_.begin() + begin,
-                   [](const Placed& placed) { return placed.record; });
-    begin = end;
-  }
+  layer.resize(static_cast<std::size_t>(end - begin));
+  std::transform(begin, end, layer.begin(), [this](const Record& record) {
+    return Placed{first_corner(record), record};
+  });
+  if (is_flat)
+    sort_rows(layer);
+  else
+    sort(layer.begin(), layer.end());
+  std::transform(layer.begin(), layer.end(), begin,
+                 [](const Placed& placed) { return placed.record; });
 }
 
 void Polygons::sort(Placed* begin, Placed* end) const {

@@ -166,8 +166,9 @@ class Polygons {
   }
 
   /// Sorts polygons by the first corners of their outer rings (precedes()), then by their
-  /// incidences and the other corners. Limit: each polygon has a ring. Cost: no corner is moved.
-  void sort();
+  /// incidences and the other corners. jobs: threads that sort. Limit: each polygon has a ring.
+  /// Cost: no corner is moved.
+  void sort(unsigned jobs = 1);
 
  private:
   struct Record {
@@ -180,6 +181,7 @@ class Polygons {
     return corners_[ring_begins_[record.first_ring]];
   }
   bool is_before(const Record& a, const Record& b) const;
+  void sort_layer(Record* begin, Record* end, bool is_flat) const;
   void sort(Placed* begin, Placed* end) const;
   void sort_rows(Array<Placed>& layer) const;
 

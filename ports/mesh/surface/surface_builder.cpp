@@ -74,7 +74,7 @@ SinkResult SurfaceBuilder::accept(const Event& event) {
     case Event::Kind::fractions:
       break;
     case Event::Kind::finish:
-      surface_.polygons.sort();
+      surface_.polygons.sort(jobs_);
       break;
   }
   return SinkResult::accepted;

@@ -23,7 +23,9 @@ enum class Kept { polygons, counts };
 /// Errors: accept() and append() throw std::length_error beyond the limit of Polygons.
 class SurfaceBuilder {
  public:
-  explicit SurfaceBuilder(Kept kept = Kept::polygons) : kept_(kept) {}
+  /// jobs: threads that sort the polygons.
+  explicit SurfaceBuilder(Kept kept = Kept::polygons, unsigned jobs = 1)
+      : kept_(kept), jobs_(jobs) {}
 
   SinkResult accept(const Event& event);
   /// Accepts a region instead of its events.
@@ -85,6 +87,7 @@ class SurfaceBuilder {
   void count_region();
 
   Kept kept_;
+  unsigned jobs_;
   Surface surface_;
   Counts counts_;
   std::uint64_t incomplete_regions_ = 0;
