@@ -169,12 +169,13 @@ TEST_CASE_FIXTURE(Workshop, "files do not depend on the number of jobs") {
     samples.push_back(static_cast<char>(i % 40 / 4 % 2 * 60 + static_cast<int>(noise >> 26)));
   }
   write("v.raw", samples);
-  write("m.raw", std::string(40 * 40 * 35, 1) + std::string(40 * 40 * 35, 0));
+  write("m.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 40 70\nencoding: raw\n\n" +
+                      std::string(40 * 40 * 35, 1) + std::string(40 * 40 * 35, 0));
   const std::string volume = "extract v.raw --dims 40,40,70 --type u8 --iso 50 -q ";
   for (const std::string options :
        {"-o v.stl", "-o v.ply", "-o v.obj --normals surface", "-o v.glb --border open",
         "-o v.ply --median 3 --largest 1", "-o v.ply --surface interpolated",
-        "-o v.ply --smooth auto --triangles 3000", "-o v.dmc",
+        "-o v.ply --smooth auto --triangles 3000 --mask m.nrrd", "-o v.dmc",
         "-o v.dmc --iso 80 --wire regions"}) {
     CAPTURE(options);
     const std::string file = options.substr(3, 5);

@@ -95,7 +95,7 @@ struct ExtractArguments {
 
 /// Whether the volume may be extracted in parts.
 inline bool is_divisible(const ExtractArguments& arguments) {
-  return !arguments.interpolates() && arguments.labels.empty() && arguments.reading.memory == 0 &&
+  return arguments.labels.empty() && arguments.reading.memory == 0 &&
          arguments.reading.capacities.empty();
 }
 

@@ -81,7 +81,7 @@ SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices)
   SurfaceOptions surfaces;
   surfaces.border = options.border;
   surfaces.progress = reporter_here(options, "extracting", slices);
-  if (!is_interpolated(options) && threads_of(options) > 1) surfaces.jobs = threads_of(options);
+  if (threads_of(options) > 1) surfaces.jobs = threads_of(options);
   return surfaces;
 }
 
@@ -137,7 +137,7 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
   std::vector<std::unique_ptr<CrossingFinder>> crossings;
   std::vector<SurfaceRequest> requests;
   for (const Selection& selection : selections) {
-    surfaces.push_back(std::make_unique<JoinedSurface>());
+    surfaces.push_back(std::make_unique<JoinedSurface>(Kept::polygons, threads_of(options)));
     JoinedSurface& surface = *surfaces.back();
     requests.push_back({selection, make_sink(surface), nullptr, &surface.builder(), nullptr,
                         make_region_receiver(surface)});

@@ -16,6 +16,7 @@
 #include "extractors.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "mask_bits.hpp"
+#include "surface/array.hpp"
 #include "surface/growing_joiner.hpp"
 
 namespace discmc::meshing {
@@ -118,11 +119,22 @@ class PartSurface {
 };
 
 struct Part {
+  // Return a slice that was read; null without a mask.
+  const std::uint8_t* samples_of(std::uint32_t z) const { return slice_of(samples, z); }
+  const std::uint8_t* mask_of(std::uint32_t z) const {
+    return mask.empty() ? nullptr : slice_of(mask, z);
+  }
+
   SlabSpans spans;
-  std::vector<std::uint8_t> samples;  // of the slices read
-  std::vector<std::uint8_t> mask;     // rows of bits, if there is a mask
+  Array<std::uint8_t> samples;  // of the slices read
+  Array<std::uint8_t> mask;     // rows of bits, if there is a mask
   std::vector<PartSurface> surfaces;
   std::vector<Extraction> extractions;
+
+ private:
+  const std::uint8_t* slice_of(const Array<std::uint8_t>& slices, std::uint32_t z) const {
+    return slices.data() + slices.size() / spans.read.count() * (z - spans.read.first);
+  }
 };
 
 // Reads slices of equal size once, for overlapping spans.
@@ -133,13 +145,14 @@ class OverlappingSlices {
   // read(bytes): reads the next slice. Limit: spans are in order, and only the first may follow a
   // gap.
   template <class Read>
-  void fill(const SliceSpan& span, std::vector<std::uint8_t>& slices, Read read) {
+  void fill(const SliceSpan& span, Array<std::uint8_t>& slices, Read read) {
     const std::size_t shared = end_ > span.first ? (end_ - span.first) * slice_bytes_ : 0;
     slices.resize(span.count() * slice_bytes_);
-    std::copy(last_.end() - static_cast<std::ptrdiff_t>(shared), last_.end(), slices.begin());
-    for (std::size_t at = shared; at < slices.size(); at += slice_bytes_) read(slices.data() + at);
+    std::copy(last_.end() - shared, last_.end(), slices.begin());
+    for (std::size_t at = shared; at < slices.size(); at += slice_bytes_) read(&slices[at]);
     const std::size_t kept = std::min<std::size_t>(max_shared, span.count()) * slice_bytes_;
-    last_.assign(slices.end() - static_cast<std::ptrdiff_t>(kept), slices.end());
+    last_.resize(0);
+    last_.append(slices.end() - kept, kept);
     end_ = span.end;
   }
 
@@ -148,14 +161,17 @@ class OverlappingSlices {
   static constexpr std::size_t max_shared = 4;
 
   std::size_t slice_bytes_;
-  std::vector<std::uint8_t> last_;
+  Array<std::uint8_t> last_;
   std::uint32_t end_ = 0;
 };
 
+// Reads parts one after another, and adds each slice to the crossings of the surfaces.
 class PartReader {
  public:
-  PartReader(SliceReader& volume, SliceReader* mask)
+  PartReader(SliceReader& volume, SliceReader* mask, const std::vector<SurfaceRequest>& surfaces)
       : volume_(volume), samples_(volume.info().slice_bytes()), bits_(0) {
+    for (const SurfaceRequest& surface : surfaces)
+      if (surface.crossings != nullptr) crossings_.push_back(surface.crossings);
     if (mask == nullptr) return;
     mask_.emplace(*mask);
     mask_bytes_ = bit_row_bytes(mask->info().dims[0]) * mask->info().dims[1];
@@ -163,14 +179,16 @@ class PartReader {
   }
 
   void read(Part& part) {
-    skip_to(part.spans.read.first);
-    samples_.fill(part.spans.read, part.samples,
-                  [this](std::uint8_t* slice) { volume_.read_slice(slice); });
-    end_ = part.spans.read.end;
-    if (!mask_) return;
-    bits_.fill(part.spans.read, part.mask, [this](std::uint8_t* slice) {
-      std::memcpy(slice, mask_->next_slice(), mask_bytes_);
-    });
+    const SliceSpan& span = part.spans.read;
+    skip_to(span.first);
+    samples_.fill(span, part.samples, [this](std::uint8_t* slice) { volume_.read_slice(slice); });
+    if (mask_)
+      bits_.fill(span, part.mask, [this](std::uint8_t* slice) {
+        std::memcpy(slice, mask_->next_slice(), mask_bytes_);
+      });
+    for (; end_ < span.end; ++end_)
+      for (CrossingFinder* const each : crossings_)
+        each->add_slice(part.samples_of(end_), part.mask_of(end_));
   }
 
  private:
@@ -186,6 +204,7 @@ class PartReader {
   std::optional<MaskBits> mask_;
   std::size_t mask_bytes_ = 0;
   OverlappingSlices bits_;
+  std::vector<CrossingFinder*> crossings_;
   std::uint32_t end_ = 0;  // end of the slices that were read or skipped
 };
 
@@ -219,7 +238,7 @@ class PartExtraction {
         options_(options),
         requests_(surfaces),
         progress_(std::exchange(options_.progress, nullptr)),
-        reader_(volume, options.mask),
+        reader_(volume, options.mask, surfaces),
         spans_(parts_of(info_, slices_of(options.slab, info_.dims[2]))) {
     for (const SurfaceRequest& request : requests_)
       joiners_.push_back(std::make_unique<GrowingJoiner>(request.sink));
@@ -268,14 +287,12 @@ class PartExtraction {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       requests[i].sink = make_sink(part.surfaces[i]);
       requests[i].regions = make_region_receiver(part.surfaces[i]);
+      requests[i].crossings = nullptr;  // the reader adds the slices
     }
-    const std::size_t slice_bytes = info_.slice_bytes();
-    const std::size_t mask_bytes = part.mask.size() / part.spans.read.count();
-    std::size_t next = 0;
+    std::uint32_t next = part.spans.read.first;
     part.extractions = extractors.extract(info_, limits, part.spans, options_, requests, [&] {
-      const std::size_t z = next++;
-      return SliceToExtract{part.samples.data() + z * slice_bytes,
-                            mask_bytes > 0 ? part.mask.data() + z * mask_bytes : nullptr};
+      const std::uint32_t z = next++;
+      return SliceToExtract{part.samples_of(z), part.mask_of(z)};
     });
   }
 
