@@ -174,8 +174,8 @@ TEST_CASE_FIXTURE(Workshop, "files do not depend on the number of jobs") {
   const std::string volume = "extract v.raw --dims 40,40,70 --type u8 --iso 50 -q ";
   for (const std::string options :
        {"-o v.stl", "-o v.ply", "-o v.obj --normals surface", "-o v.glb --border open",
-        "-o v.ply --median 3 --largest 1", "-o v.ply --surface interpolated",
-        "-o v.ply --smooth auto --triangles 3000 --mask m.nrrd", "-o v.dmc",
+        "-o v.ply --median 3 --largest 1", "-o v.ply --surface interpolated --mask m.nrrd",
+        "-o v.ply --smooth auto --triangles 3000", "-o v.dmc",
         "-o v.dmc --iso 80 --wire regions"}) {
     CAPTURE(options);
     const std::string file = options.substr(3, 5);

@@ -29,15 +29,6 @@ std::vector<Vertex> some_vertices(std::uint32_t seed, std::int32_t far) {
   return vertices;
 }
 
-std::vector<Vertex> positions(const VertexNumbers& numbers) {
-  std::vector<Vertex> positions(numbers.size());
-  for (std::size_t part = 0; part < numbers.part_count(); ++part)
-    numbers.for_each(part, [&positions](std::uint32_t number, const Vertex& vertex) {
-      positions.at(number) = vertex;
-    });
-  return positions;
-}
-
 bool is_below(const Vertex& a, const Vertex& b) {
   return discmc::precedes(a, b);
 }
@@ -46,7 +37,7 @@ bool is_below(const Vertex& a, const Vertex& b) {
 void check_numbers(const VertexNumbers& numbers, std::vector<Vertex> vertices) {
   std::sort(vertices.begin(), vertices.end(), is_below);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  std::vector<Vertex> numbered = positions(numbers);
+  std::vector<Vertex> numbered = numbers.positions();
   bool are_found = true;
   for (std::uint32_t i = 0; i < numbered.size(); ++i) {
     const Vertex &at = numbered[i], beside = {at.x + 2, at.y, at.z};
@@ -70,7 +61,7 @@ TEST_CASE("vertices that are added are numbered in the order in which they come 
   CHECK(numbers.add({1, 2, 4}) == 0);
   CHECK(numbers.find({-1, 3, -1}) == 1);
   CHECK(numbers.find({-1, 2, 4}) == VertexNumbers::none);
-  CHECK(positions(numbers) == std::vector<Vertex>{{1, 2, 4}, {-1, 3, -1}, {1, 2, 2}});
+  CHECK(numbers.positions() == std::vector<Vertex>{{1, 2, 4}, {-1, 3, -1}, {1, 2, 2}});
 }
 
 TEST_CASE("corners of polygons have a number per vertex, and keep it when more are added") {
@@ -80,7 +71,7 @@ TEST_CASE("corners of polygons have a number per vertex, and keep it when more a
     std::vector<Vertex> vertices = some_vertices(1, z_of_some);
     VertexNumbers numbers(hand_made::polygon({0, 0, 1}, {vertices}));
     check_numbers(numbers, vertices);
-    std::vector<Vertex> numbered = positions(numbers);
+    std::vector<Vertex> numbered = numbers.positions();
     const std::size_t before = numbered.size();
     for (const Vertex& vertex : some_vertices(2, far)) {
       const std::uint32_t number = numbers.add(vertex);
@@ -90,7 +81,7 @@ TEST_CASE("corners of polygons have a number per vertex, and keep it when more a
     }
     check_numbers(numbers, vertices);
     CHECK(numbered.size() > before);
-    CHECK(positions(numbers) == numbered);
+    CHECK(numbers.positions() == numbered);
   }
 }
 
@@ -98,12 +89,12 @@ TEST_CASE("the numbers of corners do not depend on the number of jobs") {
   discmc::meshing::Polygons polygons;
   for (const Vertex& vertex : some_vertices(3, 20))
     polygons.append(hand_made::polygon({0, 0, 1}, {{vertex, vertex + Vertex{40, 0, 0}}}));
-  CHECK(positions(VertexNumbers(polygons, 3)) == positions(VertexNumbers(polygons)));
+  CHECK(VertexNumbers(polygons, 3).positions(3) == VertexNumbers(polygons).positions());
 }
 
 TEST_CASE("vertices are numbered block by block, and in a block by z, y and x") {
   const VertexNumbers numbers(
       hand_made::polygon({0, 0, 1}, {{{9, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {15, 7, 7}}}));
-  CHECK(positions(numbers) ==
+  CHECK(numbers.positions() ==
         std::vector<Vertex>{{9, 0, 0}, {15, 7, 7}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
 }

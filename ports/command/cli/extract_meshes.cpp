@@ -27,15 +27,15 @@ int extract_meshes(ExtractArguments arguments) {
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
   const MendedVolume mended(arguments.reading, *volume, options);
-  std::vector<NamedSelection> taken = selections;
-  if (mended.is_changed()) taken[0].selection = options.selection;
+  std::vector<NamedSelection> extracted_selections = selections;
+  if (mended.is_changed()) extracted_selections[0].selection = options.selection;
   if (is_divisible(arguments)) options.jobs = jobs_of(arguments);
 
   const SurfaceReceivers receivers = receivers_for(selections, Kept::polygons, jobs_of(arguments));
-  std::vector<SurfaceRequest> requests = requests_of(taken, receivers);
+  std::vector<SurfaceRequest> requests = requests_of(extracted_selections, receivers);
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates())
-    for (const NamedSelection& each : taken)
+    for (const NamedSelection& each : extracted_selections)
       finders.emplace_back(mended.samples().info(), each.selection, Vertex{0, 0, 0},
                            mended.deviation_mm().has_value());
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
@@ -54,9 +54,10 @@ int extract_meshes(ExtractArguments arguments) {
     surface.spacing_mm = info.spacing_mm;
     if (mended.deviation_mm() && arguments.interpolates()) {
       const Progress smoothing("smoothing");
-      keep_volumes({{&surface, &finders[i].crossings()}},
-                   SmoothedVolume::keeping(info, *mended.deviation_mm(), arguments.mesh.tolerance,
-                                           arguments.reading.border));
+      VolumeKeeping keeping = SmoothedVolume::keeping(
+          info, *mended.deviation_mm(), arguments.mesh.tolerance, arguments.reading.border);
+      keeping.jobs = jobs_of(arguments);
+      keep_volumes({{&surface, &finders[i].crossings()}}, keeping);
     }
     const std::string title =
         display_name(arguments.volume) + (names.size() > 1 ? ": " + selections[i].name : "");

@@ -1,7 +1,5 @@
 #include "mesh_parts.hpp"
 
-#include <algorithm>
-
 namespace discmc::command {
 
 FileMesh MeshParts::bounds() const {
@@ -17,12 +15,11 @@ FileMesh MeshParts::bounds() const {
   return box;
 }
 
-void MeshParts::make_vertices(std::size_t number, FileMesh& part) const {
-  part.spacing_mm = surface_.spacing_mm;
-  part.vertices_mm.clear();
-  vertices_.for_each(number,
-                     [&](std::uint32_t, const Vertex& vertex) { add_vertex(vertex, part); });
-  move_part_(part);
+void MeshParts::make_vertices(std::size_t part, FileMesh& mesh) const {
+  mesh.spacing_mm = surface_.spacing_mm;
+  mesh.vertices_mm.clear();
+  vertices_.for_each(part, [&](std::uint32_t, const Vertex& vertex) { add_vertex(vertex, mesh); });
+  move_part_(mesh);
 }
 
 void MeshParts::make_faces(std::size_t number, Block& block) const {

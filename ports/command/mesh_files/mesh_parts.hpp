@@ -49,8 +49,8 @@ class MeshParts {
 
   /// Returns the corners of a box around all vertices, placed.
   FileMesh bounds() const;
-  /// Makes the vertices of a part, placed. part: receives them instead of its own.
-  void make_vertices(std::size_t number, FileMesh& part) const;
+  /// Makes the vertices of a part, placed. mesh: receives them instead of its own.
+  void make_vertices(std::size_t part, FileMesh& mesh) const;
   /// Makes faces that index all vertices of the mesh, placed.
   void make_faces(std::size_t number, Block& block) const;
   /// Makes faces that index vertices of their own: PlaneFaces::make_apart().

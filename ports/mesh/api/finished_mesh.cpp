@@ -70,9 +70,9 @@ void add_normals(const Surface& surface, FaceMesh& mesh, const MeshOptions& opti
 
 // vertices: the vertices of the mesh, by their VertexNumbers.
 MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& vertices,
-                         bool is_mirrored) {
+                         bool is_mirrored, unsigned threads) {
   MeshPolygons all;
-  const VertexNumbers numbers(surface.polygons);
+  const VertexNumbers numbers(surface.polygons, threads);
   for (const Polygon& polygon : surface.polygons) {
     const std::size_t outer = all.corner_begin.back();
     for (const Ring& ring : polygon.rings) {
@@ -186,7 +186,8 @@ Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& op
   mesh.triangles.resize(faces.face_count());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     std::copy_n(faces.face(i), 3, mesh.triangles[i].begin());
-  if (options.polygons) mesh.polygons = polygons_of(surface, mesh.vertices, axes.is_mirrored);
+  if (options.polygons)
+    mesh.polygons = polygons_of(surface, mesh.vertices, axes.is_mirrored, threads);
   return mesh;
 }
 

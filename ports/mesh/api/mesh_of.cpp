@@ -109,6 +109,7 @@ void keep_volume(JoinedSurface& surface, CrossingFinder& crossings, const Sample
   surface.surface().spacing_mm = axes.spacing;
   VolumeKeeping keeping =
       SmoothedVolume::keeping(info, options.smoothing, options.tolerance, options.border);
+  keeping.jobs = threads_of(options);
   keeping.check = [&options] { report(options, "smoothing", 0, 0); };
   keep_volumes({{&surface.surface(), &crossings.crossings()}}, keeping);
 }

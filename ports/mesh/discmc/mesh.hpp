@@ -158,8 +158,7 @@ struct MeshOptions {
   Normals normals = Normals::none;
   /// Whether Mesh::polygons is filled. Limit: not interpolated, relaxed or decimated.
   bool polygons = false;
-  /// The vertices and polygons do not depend on it; their order does, and which of two equally good
-  /// diagonals divides a polygon. 0: as many as there are processors.
+  /// The mesh does not depend on it. 0: as many as there are processors.
   unsigned threads = 1;
   /// Called in the calling thread, less often if there are more; false cancels the call.
   std::function<bool(const MeshProgress&)> progress{};

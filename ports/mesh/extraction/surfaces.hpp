@@ -35,7 +35,7 @@ struct SurfaceOptions {
   /// behind the slab are not read. Limit: its depth is the volume's.
   std::optional<SlabRange> slab{};
   /// If set, extracts the volume in parts, this many in parallel. One job may use one sweep, if the
-  /// result is equal. Limit: not with slices or crossings.
+  /// result is equal. Limit: not with slices.
   std::optional<unsigned> jobs{};
   /// The first arena of a part, which grows if needed. 0: a generous one. Units: bytes.
   std::uint64_t memory = 0;

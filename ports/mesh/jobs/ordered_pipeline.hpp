@@ -61,11 +61,11 @@ class OrderedPipeline {
 
   // Returns whether there was a step to run. Prefers steps that others wait for.
   bool run_step(std::unique_lock<std::mutex>& lock) {
-    if (!is_taking_ && slot(consumed_).state == State::done) {
-      is_taking_ = true;
+    if (!is_consuming_ && slot(consumed_).state == State::done) {
+      is_consuming_ = true;
       call(lock, consume_, consumed_);
       slot(consumed_++).state = State::empty;
-      is_taking_ = false;
+      is_consuming_ = false;
     } else if (!is_filling_ && filled_ < count_ && slot(filled_).state == State::empty &&
                filled_ < begun_ + jobs_) {
       is_filling_ = true;
@@ -106,9 +106,9 @@ class OrderedPipeline {
   Consume consume_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  // Numbers of items that were filled, begun and taken.
+  // Numbers of items that were filled, begun and consumed.
   std::size_t filled_ = 0, begun_ = 0, consumed_ = 0;
-  bool is_filling_ = false, is_taking_ = false;
+  bool is_filling_ = false, is_consuming_ = false;
   std::exception_ptr error_;
 };
 
@@ -127,12 +127,15 @@ void for_each_in_parallel(unsigned jobs, std::size_t count, Work work) {
       jobs, count, no_step, [&work](std::size_t number, Nothing&) { work(number); }, no_step);
 }
 
+/// The size of all ranges but the last, in the next function.
+constexpr std::size_t parallel_range = std::size_t{1} << 14;
+
 /// Likewise calls work(first, end) for ranges of numbers from 0 to count - 1.
 template <class Work>
 void for_each_range_in_parallel(unsigned jobs, std::size_t count, Work work) {
-  constexpr std::size_t size = std::size_t{1} << 14;
-  for_each_in_parallel(jobs, (count + size - 1) / size, [&work, count](std::size_t range) {
-    work(range * size, std::min(count, (range + 1) * size));
+  const std::size_t ranges = (count + parallel_range - 1) / parallel_range;
+  for_each_in_parallel(jobs, ranges, [&work, count](std::size_t range) {
+    work(range * parallel_range, std::min(count, (range + 1) * parallel_range));
   });
 }
 

@@ -79,7 +79,8 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, unsigned jobs)
   for (std::size_t nodes = 1; nodes < wanted_.size(); nodes *= 4) leaves_ += nodes;
   boxes_.resize(leaves_ + wanted_.size());
   for_each_range_in_parallel(jobs, places_.size(), [&](std::size_t first, std::size_t end) {
-    for (std::size_t slot = first; slot < end; ++slot) {  // no leaf is in two ranges
+    static_assert(parallel_range % 4 == 0, "no leaf is in two ranges");
+    for (std::size_t slot = first; slot < end; ++slot) {
       slots_[places_[slot]] = static_cast<std::uint32_t>(slot);
       boxes_[leaves_ + slot / 4].set(slot % 4, boxes[places_[slot]]);
     }

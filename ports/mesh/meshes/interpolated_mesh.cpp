@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <memory>
 #include <utility>
 
@@ -157,12 +156,7 @@ class InterpolatedMesh {
 
   FaceMesh build() {
     mesh_.spacing_mm = surface_.spacing_mm;
-    mesh_.lattice.resize(vertices_.size());
-    for_each_in_parallel(options_.jobs, vertices_.part_count(), [this](std::size_t part) {
-      vertices_.for_each(part, [this](std::uint32_t number, const Vertex& vertex) {
-        mesh_.lattice[number] = vertex;
-      });
-    });
+    mesh_.lattice = vertices_.positions(options_.jobs);
     number_what_sides_need();
     place_vertices();
     FaceList faces = make_faces(std::vector<bool>(surface_.polygons.size(), true), 0);
@@ -299,10 +293,10 @@ class InterpolatedMesh {
     const Incidence incidence = surface_.polygons[mesh_.polygons[face]].incidence;
     const std::uint32_t* corners = mesh_.face(face);
     const LatticePlane plane(mesh_.lattice[corners[0]], incidence);
-    const bool is_reversed = is_mirrored(surface_.spacing_mm);
+    const bool is_mirrored = meshing::is_mirrored(surface_.spacing_mm);
     std::array<PlanePoint, 3> points;
     for (std::size_t i = 0; i < 3; ++i)
-      points[i] = plane.at(mesh_.lattice[corners[is_reversed ? 2 - i : i]]);
+      points[i] = plane.at(mesh_.lattice[corners[is_mirrored ? 2 - i : i]]);
     for (const Vertex& crossing : Refinement::crossings_in(plane, points)) add_vertex(crossing);
     return mesh_.lattice.size() > vertices;
   }

@@ -34,8 +34,7 @@ struct MeshingOptions {
   /// The largest distance of a crossing from the mesh. Larger distances split sides and triangles.
   /// Units: voxels.
   double tolerance = 0.05;
-  /// The number of threads that triangulate polygons and search an interpolated mesh for
-  /// intersections. The mesh does not depend on this.
+  /// The number of threads. The mesh does not depend on it. Limit: at least one.
   unsigned jobs = 1;
   /// Called regularly, if set, by one thread at a time. Its exceptions end the call.
   std::function<void()> check{};

@@ -25,13 +25,11 @@ void append_faces(FaceMesh& mesh, const FaceMesh& part) {
 }
 
 void place_vertices(const VertexNumbers& vertices, unsigned jobs, FaceMesh& mesh) {
-  mesh.lattice.resize(vertices.size());
+  mesh.lattice = vertices.positions(jobs);
   mesh.vertices_mm.resize(vertices.size());
-  for_each_in_parallel(jobs, vertices.part_count(), [&](std::size_t part) {
-    vertices.for_each(part, [&mesh](std::uint32_t number, const Vertex& vertex) {
-      mesh.lattice[number] = vertex;
-      mesh.vertices_mm[number] = in_mm(point_of(vertex), mesh.spacing_mm);
-    });
+  for_each_range_in_parallel(jobs, vertices.size(), [&mesh](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i)
+      mesh.vertices_mm[i] = in_mm(point_of(mesh.lattice[i]), mesh.spacing_mm);
   });
 }
 

@@ -152,9 +152,8 @@ Refinement::Farthest Refinement::farthest(const LatticePlane& plane, const Verte
   for_each_crossing(plane, corners, is_shared, [&](const PlanePoint& at, const Vertex& vertex) {
     result.leaves_out = true;
     const Point point = moved(vertex);
-    const double distance = required.find(vertex) != VertexNumbers::none
-                                ? std::numeric_limits<double>::infinity()
-                                : squared_distance(point, moved_corners);
+    const double distance = required.has(vertex) ? std::numeric_limits<double>::infinity()
+                                                 : squared_distance(point, moved_corners);
     if (distance > result.squared_distance) result = {distance, at, point, true};
   });
   for (std::size_t i = 0; i < 3 && !result.leaves_out; ++i)

@@ -59,7 +59,7 @@ void VertexNumbers::merge_marks(const VertexNumbers& part) {
 VertexNumbers::VertexNumbers(const Polygons& polygons, unsigned jobs) {
   lay_out(polygons.corners());
   // Parts of polygons that follow each other, marked in parallel and merged in order. Each part has
-  // slots of its own.
+  // slots of its own, so more parts would need more memory than they save time.
   constexpr std::size_t max_parts = 4, polygons_per_part = 1 << 12;
   const std::size_t parts =
       std::min<std::size_t>({jobs, max_parts, 1 + polygons.size() / polygons_per_part});
@@ -94,6 +94,16 @@ std::uint32_t VertexNumbers::Block::count_rows() {
     count += count_of(bits[row]);
   }
   return count;
+}
+
+std::vector<Vertex> VertexNumbers::positions(unsigned jobs) const {
+  std::vector<Vertex> positions(size_);
+  for_each_in_parallel(jobs, part_count(), [&](std::size_t part) {
+    for_each(part, [&positions](std::uint32_t number, const Vertex& vertex) {
+      positions[number] = vertex;
+    });
+  });
+  return positions;
 }
 
 void VertexNumbers::list_numbers(Block& block) {

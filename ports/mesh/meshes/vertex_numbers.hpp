@@ -25,7 +25,7 @@ class VertexNumbers {
 
   VertexNumbers() = default;
   /// Numbers all corners of polygons, block by block, in the order in which polygons reach the
-  /// blocks. jobs: threads that share the work.
+  /// blocks. jobs: threads that share the work. Limit: at least one job.
   explicit VertexNumbers(const Polygons& polygons, unsigned jobs = 1);
 
   /// Returns the number of a vertex. A new vertex gets the next number.
@@ -44,10 +44,12 @@ class VertexNumbers {
     return block != none && blocks_[block].has(vertex);
   }
 
-  /// The box around the corners of the polygons. Limit: there is one.
+  /// The box around the corners of the polygons. Limit: at least one corner.
   const VertexBox& box() const { return box_; }
   /// The number of vertices.
   std::uint32_t size() const { return size_; }
+  /// Returns the positions of all vertices, by number.
+  std::vector<Vertex> positions(unsigned jobs = 1) const;
   /// Vertices are visited in parts of some thousands.
   std::size_t part_count() const {
     return (blocks_.size() + blocks_per_part - 1) / blocks_per_part;

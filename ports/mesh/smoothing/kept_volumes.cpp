@@ -67,28 +67,57 @@ class VolumeKeeper {
  public:
   VolumeKeeper(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping)
       : surfaces_(surfaces), keeping_(keeping), of_surface_(surfaces.size()) {
-    for (std::size_t i = 0; i < surfaces.size(); ++i) find_pieces(i);
-    for (std::size_t i = 0; i < surfaces.size(); ++i) find_edges(i);
-    for (const Piece& piece : pieces_) move_crossings(piece);
+    for_each_surface([this](std::size_t i) { find_pieces(i); });
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      of_surface_[i].first_piece = static_cast<std::uint32_t>(pieces_.size());
+      for (const double volume : of_surface_[i].volumes_mm3) pieces_.push_back({i, volume, volume});
+    }
+    for_each_surface([this](std::size_t i) { find_edges(i); });
+    for_each_piece_by_surface([this](std::size_t i) {
+      for (Piece::Edge& edge : pieces_[i].edges)
+        edge.ends = surfaces_[pieces_[i].surface].crossings->ends(edge.place);
+      move_crossings(pieces_[i]);
+    });
   }
 
   // A mesh that leaves out crossings leaves out others after they have moved.
   void keep() {
     constexpr unsigned max_meshes = 3;
     for (unsigned meshes = 0; meshes < max_meshes; ++meshes) {
-      for_each_in_parallel(keeping_.jobs, surfaces_.size(), [this](std::size_t i) { add_mesh(i); });
+      for_each_surface([this](std::size_t i) { add_mesh(i); });
       const bool is_kept = balance();
-      for (const Piece& piece : pieces_) move_crossings(piece);
+      for_each_piece_by_surface([this](std::size_t i) { move_crossings(pieces_[i]); });
       if (is_kept) return;
     }
   }
 
  private:
-  // The pieces of a surface's polygons and crossings, as indices into pieces_.
-  struct Parts {
+  // The pieces of a surface's polygons and crossings, counted from its first one.
+  struct SurfacePieces {
+    std::uint32_t piece_of(Place place) const {
+      return first_piece + of_crossing[place.axis][place.number];
+    }
+
+    std::vector<double> volumes_mm3;                        // of the voxels of each piece
+    std::uint32_t first_piece = 0;                          // index in pieces_
     std::vector<std::uint32_t> of_polygon;                  // piece of each polygon
     std::array<std::vector<std::uint32_t>, 3> of_crossing;  // piece of each crossing, by axis
   };
+
+  // Calls call(number) for each surface, in parallel.
+  template <class Call>
+  void for_each_surface(Call call) const {
+    for_each_in_parallel(keeping_.jobs, surfaces_.size(), call);
+  }
+  // Calls call(number) for each piece. Pieces of a surface share its crossings, so one thread
+  // visits them all.
+  template <class Call>
+  void for_each_piece_by_surface(Call call) const {
+    for_each_surface([&](std::size_t number) {
+      const SurfacePieces& parts = of_surface_[number];
+      for (std::size_t i = 0; i < parts.volumes_mm3.size(); ++i) call(parts.first_piece + i);
+    });
+  }
 
   template <class Call>
   void for_each_place(std::size_t number, std::uint32_t polygon, Call call) const {
@@ -102,13 +131,13 @@ class VolumeKeeper {
 
   void find_pieces(std::size_t number) {
     const Surface& surface = *surfaces_[number].surface;
-    Parts& parts = of_surface_[number];
+    SurfacePieces& parts = of_surface_[number];
     parts.of_polygon.resize(surface.polygons.size());
     for (std::size_t axis = 0; axis < 3; ++axis)
       parts.of_crossing[axis].resize(surfaces_[number].crossings->count(axis));
     const Point& spacing = surface.spacing_mm;
     for (const Component& component : components(surface)) {
-      const auto piece_index = static_cast<std::uint32_t>(pieces_.size());
+      const auto piece_index = static_cast<std::uint32_t>(parts.volumes_mm3.size());
       std::int64_t voxels = 0;
       for (const std::uint32_t polygon : component.polygons) {
         voxels += enclosed_voxels(surface.polygons[polygon]);
@@ -117,28 +146,27 @@ class VolumeKeeper {
           parts.of_crossing[place.axis][place.number] = piece_index;
         });
       }
-      const double volume =
-          static_cast<double>(voxels) * std::fabs(spacing[0] * spacing[1] * spacing[2]);
-      pieces_.push_back({number, volume, volume});
+      parts.volumes_mm3.push_back(static_cast<double>(voxels) *
+                                  std::fabs(spacing[0] * spacing[1] * spacing[2]));
     }
   }
 
-  // The first of two surfaces with an edge sets the ends of both.
+  // The first of two surfaces with an edge sets the ends of both, so they are not read here.
   void find_edges(std::size_t number) {
     Crossings& crossings = *surfaces_[number].crossings;
-    const Parts& parts = of_surface_[number];
+    const SurfacePieces& parts = of_surface_[number];
     for (std::uint32_t polygon = 0; polygon < parts.of_polygon.size(); ++polygon)
       for_each_place(number, polygon, [&](Place place, const Vertex& middle) {
         std::uint32_t neighbour = no_piece;
         const std::size_t other = surface_beyond(number, middle, place);
         if (other != VolumeKeeping::none) {
           const auto there = surfaces_[other].crossings->find(middle);
-          neighbour = of_surface_[other].of_crossing[there->axis][there->number];
+          neighbour = of_surface_[other].piece_of(*there);
           if (number < other)
             share(crossings.ends(place), surfaces_[other].crossings->ends(*there));
         }
-        pieces_[parts.of_polygon[polygon]].edges.push_back(
-            {place, crossings.falls(place) ? 1.0F : -1.0F, neighbour, crossings.ends(place)});
+        pieces_[parts.first_piece + parts.of_polygon[polygon]].edges.push_back(
+            {place, crossings.falls(place) ? 1.0F : -1.0F, neighbour, {}});
       });
   }
 
@@ -170,19 +198,22 @@ class VolumeKeeper {
   void add_mesh(std::size_t number) {
     MeshingOptions options{true, Faces::triangles, surfaces_[number].crossings, keeping_.tolerance};
     options.separates = false;
+    if (surfaces_.size() == 1) options.jobs = keeping_.jobs;
     const FaceMesh mesh = build_mesh(*surfaces_[number].surface, options);
-    for (Piece& piece : pieces_) {
-      if (piece.surface != number) continue;
+    const SurfacePieces& parts = of_surface_[number];
+    const auto pieces = pieces_.begin() + parts.first_piece;
+    const auto pieces_end = pieces + static_cast<std::ptrdiff_t>(parts.volumes_mm3.size());
+    std::for_each(pieces, pieces_end, [](Piece& piece) {
       piece.faces.clear();
       piece.corners.clear();
-    }
+    });
     struct LocalCorner {
       std::uint32_t piece = no_piece, corner = 0;
     };
     std::vector<LocalCorner> local_corners(mesh.lattice.size());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-      const std::uint32_t piece_index = of_surface_[number].of_polygon[mesh.polygons[face]];
-      Piece& piece = pieces_[piece_index];
+      const std::uint32_t piece_index = parts.of_polygon[mesh.polygons[face]];
+      Piece& piece = pieces[piece_index];
       Triangle triangle;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t vertex = mesh.face(face)[i];
@@ -197,8 +228,7 @@ class VolumeKeeper {
     std::array<std::vector<std::uint32_t>, 3> edges;  // index in piece.edges, by crossing
     for (std::size_t axis = 0; axis < 3; ++axis)
       edges[axis].resize(surfaces_[number].crossings->count(axis), no_edge);
-    for (Piece& piece : pieces_)
-      if (piece.surface == number) find_edges_of_corners(piece, edges);
+    std::for_each(pieces, pieces_end, [&](Piece& piece) { find_edges_of_corners(piece, edges); });
   }
 
   // edges: scratch space without edges, before and after the call.
@@ -222,21 +252,22 @@ class VolumeKeeper {
   }
 
   // Returns the volume of the piece at its current shift.
-  double enclosed_mm3(const Piece& piece) {
+  double enclosed_mm3(const Piece& piece) const {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
     for (const Piece::Edge& edge : piece.around) crossings.move(edge.place, at(piece, edge));
-    from_apex_.clear();
+    std::vector<Point> from_apex;
+    from_apex.reserve(piece.corners.size());
     for (const auto& [lattice, is_crossing, edge] : piece.corners)
-      from_apex_.push_back(
+      from_apex.push_back(
           in_mm(is_crossing ? Crossings::interpolated(lattice, edge.place.axis, at(piece, edge))
                             : crossings.interpolated(lattice),
                 spacing));
-    const Point apex = from_apex_[0];  // near, to keep rounding small
-    for (Point& corner : from_apex_) corner = difference(corner, apex);
+    const Point apex = from_apex[0];  // near, to keep rounding small
+    for (Point& corner : from_apex) corner = difference(corner, apex);
     double six = 0;
     for (const auto& [a, b, c] : piece.faces)
-      six += dot(from_apex_[a], cross(from_apex_[b], from_apex_[c]));
+      six += dot(from_apex[a], cross(from_apex[b], from_apex[c]));
     return six / 6;
   }
 
@@ -262,9 +293,10 @@ class VolumeKeeper {
   // Returns the excess of each piece over its target.
   std::vector<double> excess_mm3() {
     if (keeping_.check) keeping_.check();
-    std::vector<double> excess;
-    for (const Piece& piece : pieces_)
-      excess.push_back(piece.faces.empty() ? 0 : enclosed_mm3(piece) - piece.wanted_mm3);
+    std::vector<double> excess(pieces_.size());
+    for_each_piece_by_surface([&](std::size_t i) {
+      if (!pieces_[i].faces.empty()) excess[i] = enclosed_mm3(pieces_[i]) - pieces_[i].wanted_mm3;
+    });
     return excess;
   }
 
@@ -434,8 +466,7 @@ class VolumeKeeper {
   const std::vector<SmoothSurface>& surfaces_;
   const VolumeKeeping& keeping_;
   std::vector<Piece> pieces_;
-  std::vector<Parts> of_surface_;
-  std::vector<Point> from_apex_;  // corners of the measured piece
+  std::vector<SurfacePieces> of_surface_;
 };
 
 }  // namespace

@@ -19,13 +19,13 @@ struct SmoothSurface {
 
 struct VolumeKeeping {
   /// Returns the surface around a voxel, given in half-steps like Crossings; none if it is outside
-  /// all.
+  /// all. Several threads call it.
   std::function<std::size_t(const Vertex& voxel)> surface_of{};
   double tolerance = 0;        ///< as MeshingOptions, for meshes that enclose the volumes
   double min_distance_mm = 0;  ///< least distance between the surface and a voxel
   double max_shift_mm = 0;     ///< largest shift of a surface
   bool is_closed = true;       ///< false: no surface moves to keep a volume
-  unsigned jobs = 1;           ///< number of threads that make the meshes of surfaces
+  unsigned jobs = 1;           ///< number of threads; each works on one surface at a time
   std::function<void()> check{};
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

@@ -62,7 +62,7 @@ void Polygons::sort(unsigned jobs) {
 }
 
 // is_flat: whether all first corners have the same coordinate z.
-void Polygons::sort_layer(Record* begin, Record* end, bool is_flat) const {
+void Polygons::sort_layer(Record* begin, Record* end, bool is_flat) {
   Array<Placed> layer;
   layer.resize(static_cast<std::size_t>(end - begin));
   std::transform(begin, end, layer.begin(), [this](const Record& record) {

@@ -181,7 +181,7 @@ class Polygons {
     return corners_[ring_begins_[record.first_ring]];
   }
   bool is_before(const Record& a, const Record& b) const;
-  void sort_layer(Record* begin, Record* end, bool is_flat) const;
+  void sort_layer(Record* begin, Record* end, bool is_flat);
   void sort(Placed* begin, Placed* end) const;
   void sort_rows(Array<Placed>& layer) const;
 
