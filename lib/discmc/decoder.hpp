@@ -48,8 +48,7 @@ class Decoder {
   /// stream.
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// For a Receiver: whether the next scan of `before` has begun, and its start here.
-  bool holds_next_scan() const { return packets_.holds_next_scan(); }
+  /// For a Receiver: begins the next scan, with the packet that the reader `before` holds.
   void start_next(const PacketReader& before);
   const PacketReader& packets() const { return packets_; }
 

@@ -101,7 +101,6 @@ class SliceDecoder {
   [[nodiscard]] Status set_memory(Memory memory);
 
   /// For a Receiver: as Decoder::start_next().
-  bool holds_next_scan() const { return packets_.holds_next_scan(); }
   void start_next(const PacketReader& before);
   const PacketReader& packets() const { return packets_; }
 

@@ -76,6 +76,18 @@ TEST_CASE("fractions arrive as the samples of any type give them") {
   }
 }
 
+TEST_CASE("parts of rows far below the threshold have fractions at their ends") {
+  const auto check = [](auto volume, int32_t threshold) {
+    using Sample = typename decltype(volume.samples)::value_type;
+    for (size_t i = 0; i < volume.samples.size(); ++i)
+      if (i % volume.size.width < 60) volume.samples[i] = std::numeric_limits<Sample>::min();
+    check_all_plans(volume, threshold);
+  };
+  check(wave<uint8_t>({70, 5, 3}, 100, 90), 100);
+  check(wave<uint16_t>({70, 5, 3}, 32768, 30000), 32000);
+  check(wave<int16_t>({70, 5, 3}, -200, 25000), -300);
+}
+
 TEST_CASE("samples at the ends of their type have fractions for every threshold") {
   const Size size{40, 5, 4};
   SampleVolume<uint16_t> ends = wave<uint16_t>(size, 32768, 1);
@@ -141,8 +153,21 @@ TEST_CASE("every surface of a stream has its fractions") {
   const Bytes stream = encode_samples(encoder, config, volume.samples, {2, 11, 7});
   const ReceivedRows received = decode_slices(stream, volume.size, 13, true, 4, 2);
   CHECK(received.report.is_complete());
-  for (uint8_t channel = 0; channel < 4; ++channel)
+  for (uint8_t channel = 0; channel < 4; ++channel) {
     CHECK(have_fractions(received.rows, volume, thresholds[channel], 2, channel));
+    Bytes memory(Receiver::minimum_bytes(config.limits, 4, 2) + 4000);
+    EventLog log;
+    Receiver receiver;
+    reference::require_ok(receiver.start(memory_of(memory), make_sink(log), channel));
+    reference::require_ok(push_stream(receiver, stream, 0));
+    const auto rows = std::count_if(log.events.begin(), log.events.end(), [](const auto& event) {
+      return event.is(Event::Kind::fractions);
+    });
+    CHECK(rows == std::count_if(received.rows.begin(), received.rows.end(),
+                                [channel](const RecordedRow& row) {
+                                  return !row.fractions.empty() && row.event.channel == channel;
+                                }));
+  }
 }
 
 TEST_CASE("a checkpoint after any rows continues a stream with fractions with the same bytes") {
@@ -178,6 +203,8 @@ TEST_CASE("a checkpoint of an encoder with fractions is not one of an encoder wi
   CHECK(parts[1].bytes == FractionSliceEncoder<uint8_t>::minimum_bytes(config));
   SliceEncoder& without = encoder;
   CHECK(without.restore(block.memory(), line.output()) == Status::bad_checkpoint);
+  FractionSliceEncoder<uint8_t> unsaved;
+  CHECK(unsaved.restore(block.memory(), line.output()) == Status::bad_checkpoint);
 }
 
 TEST_CASE("after a lost packet all fractions that arrive are right") {
@@ -199,6 +226,26 @@ TEST_CASE("after a lost packet all fractions that arrive are right") {
       CHECK(have_fractions(received.rows, reference::samples_with(volume), 100, levels));
     }
   }
+}
+
+TEST_CASE("a code of fractions that no encoder wrote is reported") {
+  const Size size{12, 4, 6};
+  SlicePlan plan{2};
+  plan.levels = 4;
+  const std::vector<Bytes> frames = frames_of(encode_slices(reference::random(size, 128, 3), plan));
+  size_t unreadable = 0;
+  for (size_t i = 1; i + 1 < frames.size(); ++i)
+    for (size_t byte = 0; byte < packet_of(frames[i]).payload.size(); ++byte)
+      for (const uint8_t flipped : std::initializer_list<uint8_t>{1, 16, 255}) {
+        std::vector<Bytes> changed = frames;
+        Packet packet = packet_of(frames[i]);
+        packet.payload[byte] ^= flipped;
+        changed[i] = frame_of(packet);
+        const StreamReport report = decode_slices(joined(changed), size, 0, false, 1, 4).report;
+        CHECK_FALSE(report.is_complete());
+        if (report.is_unreadable) ++unreadable;
+      }
+  CHECK(unreadable > 100);
 }
 
 TEST_CASE("a late receiver passes over the edges into its first slice") {

@@ -170,6 +170,25 @@ TEST_CASE("three channels of one link are separated, for any kind of stream") {
   CHECK_FALSE(nothing.report.has_header);
 }
 
+TEST_CASE("a scan of which only the header arrives is received") {
+  std::vector<Bytes> frames = frames_of(encode(events_of(first_volume), named(first_volume, 7, 0)));
+  frames.pop_back();  // without its trailer, the first scan ends when the next header arrives
+  frames.push_back(frames_of(encode(events_of(second_volume), named(second_volume, 8, 0))).front());
+  const Bytes link = joined(frames);
+  EventLog log;
+  Receiver receiver;
+  require_ok(receiver.start({}, make_sink(log)));
+  const Decoded decoded = receiver.push(link.data(), link.size());
+  CHECK(decoded.status == Status::finished);
+  CHECK(decoded.bytes == link.size());
+  CHECK(receiver.header().scan == 7);
+  CHECK(log.starts.size() == 1);
+  require_ok(receiver.finish());
+  CHECK(receiver.header().scan == 8);
+  CHECK(receiver.report().packets == 1);
+  CHECK(log.starts.size() == 2);
+}
+
 TEST_CASE("an encoder numbers the scans that follow its first") {
   const BitVolume voxel = reference::from_bits({1, 1, 1}, 1);
   Line line;

@@ -132,8 +132,7 @@ class Pool : public SlotAccount<Index> {
 
   /// Lets the caller access free slots, too, until they are allocated and freed again: checks.hpp.
   DISCMC_ALWAYS_INLINE void unpoison_free() {
-    if (this->capacity_ > 0)
-      unpoison(this->slots_ + sizeof(Slot), size_t{this->capacity_} * sizeof(Slot));
+    unpoison(this->slots_ + sizeof(Slot), size_t{this->capacity_} * sizeof(Slot));
   }
 
   Slot& operator[](Index index) {

@@ -12,7 +12,6 @@ namespace discmc {
 /// The queries of an extractor of any type.
 struct ExtractorView {
   const Statistics* statistics;
-  Limits limits;
   const Capacities* capacities;
   Peaks peaks;
   uint32_t slices, rows;
@@ -21,7 +20,6 @@ struct ExtractorView {
 
 /// The properties that determine the memory of a scan, besides limits and slots.
 struct ScanSizes {
-  uint8_t index_bytes;
   uint8_t slot_bytes;
   uint8_t sample_bytes;  ///< of the samples kept for normals, or 0
 };
@@ -30,8 +28,6 @@ struct ScanSizes {
 constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, uint32_t slots) {
   uint64_t bytes =
       Extractor16::bytes_for(limits, {0, 0}) + Arena::aligned(uint64_t{slots} * sizes.slot_bytes);
-  if (sizes.index_bytes > sizeof(uint16_t))
-    bytes += Extractor32::bytes_for({1, 1}, {0, 0}) - Extractor16::bytes_for({1, 1}, {0, 0});
   const uint32_t rows = GradientIntake<uint8_t>::ring_rows(limits);
   if (sizes.sample_bytes > 0)
     bytes += Arena::bytes_of(rows * limits.width, sizes.sample_bytes) +
@@ -63,8 +59,7 @@ namespace discmc {
 /// The properties of an extractor's type.
 template <class Index, class Intake, class Sweep>
 struct ExtractorType {
-  static constexpr ScanSizes sizes = {sizeof(Index), detail::sizing::slot_bytes<Index, Intake>,
-                                      Intake::type / 2};
+  static constexpr ScanSizes sizes = {detail::sizing::slot_bytes<Index, Intake>, Intake::type / 2};
   static_assert(bytes_of_scan(sizes, {31, 7}, 5) ==
                     detail::sizing::bytes_for<Index, Intake>({31, 7}, {5, 0}),
                 "it is as many bytes");
@@ -121,7 +116,6 @@ struct ExtractorKind {
   static void look(const discmc_extractor& extractor, ExtractorView& view) {
     const Scanner& scanner = static_cast<const Stored&>(extractor).with_sink.object;
     view.statistics = &scanner.statistics();
-    view.limits = scanner.limits();
     view.capacities = &scanner.capacities();
     view.peaks = scanner.peaks();
     view.slices = scanner.slices();

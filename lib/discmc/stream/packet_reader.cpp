@@ -64,8 +64,8 @@ void PacketReader::start(uint8_t channel) {
 PacketReader::Completed PacketReader::start_next(const PacketReader& before) {
   const bool has_ended_tag = before.has_tag_;
   const uint32_t ended_tag = before.tag_;
-  const bool follows_channel = before.channel_ == any_channel && has_ended_tag;
-  const uint8_t channel = follows_channel ? detail::wire::channel_in(ended_tag) : before.channel_;
+  const uint8_t channel =
+      before.channel_ == any_channel ? detail::wire::channel_in(ended_tag) : before.channel_;
   const size_t bytes = before.kept_bytes_;
   if (this != &before) copy_bytes(frame_, before.frame_, sizeof frame_);
   start(channel);

@@ -221,6 +221,22 @@ TEST_CASE("samples may be strided, and end anywhere") {
   CHECK(strided_log.events == log.events);
 }
 
+TEST_CASE("a scan in C begins even if its sink is busy") {
+  EventLog log;
+  Scan scan(discmc_plain_u8, 20000, log);
+  bool is_busy = true;
+  const auto answer = [](void* context, const discmc_event*) {
+    return static_cast<discmc_sink_result>(*static_cast<bool*>(context) ? DISCMC_SINK_BUSY
+                                                                        : DISCMC_SINK_ACCEPTED);
+  };
+  scan.config.sink = {&is_busy, answer};
+  CHECK(discmc_extractor_start(&scan.extractor, &scan.config) == DISCMC_SUSPENDED);
+  REQUIRE(scan.extractor != nullptr);
+  CHECK(discmc_extractor_resume(scan.extractor) == DISCMC_SUSPENDED);
+  is_busy = false;
+  CHECK(discmc_extractor_resume(scan.extractor) == DISCMC_OK);
+}
+
 TEST_CASE("an abandoned scan is closed") {
   EventLog log;
   Scan scan(discmc_plain_u8, 20000, log);

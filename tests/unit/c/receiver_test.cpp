@@ -216,4 +216,6 @@ TEST_CASE("invalid calls of joiners in C return their status") {
     CHECK(discmc_joiner_start(&joiner, &config) == DISCMC_TOO_LITTLE_MEMORY);
   }
   CHECK(joiner == nullptr);
+  const discmc_event event{};
+  CHECK(discmc_joiner_accept(nullptr, &event) == DISCMC_SINK_NOT_STARTED);
 }

@@ -63,6 +63,10 @@ TEST_CASE("a store in C restores the newest whole checkpoint after a power failu
   REQUIRE(discmc_store_restore(store, parts, 2) == DISCMC_OK);
   CHECK(first == std::vector<uint8_t>(900, 2));
   CHECK(second == std::vector<uint8_t>(300, 2));
+  const discmc_status discarded =
+      completed(discmc_store_discard(store), [store] { return discmc_store_resume(store); });
+  CHECK(discarded == DISCMC_OK);
+  CHECK(discmc_store_get_info(store).has_checkpoint == 0);
   CHECK(memory.is_intact());
   CHECK(!flash.has_broken_rules);
 }

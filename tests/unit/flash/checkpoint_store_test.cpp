@@ -610,8 +610,13 @@ TEST_CASE("the parts of a checkpoint are restored as saved or not at all") {
   CHECK(keeper.save({{bytes, 300}, none, none, none, none, none, none}) ==
         Status::too_little_memory);
   CHECK(keeper.save({{bytes, 300}, none, none, none, none, none}) == Status::ok);
-  slot(flash, keeper.store.plan(), 1)[200] ^= 4;
-  CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
+  constexpr size_t lengths = StorePlan::head_bytes - CheckpointStore::max_parts * sizeof(uint32_t);
+  for (size_t byte = lengths; byte < StorePlan::head_bytes + 300; ++byte) {
+    slot(flash, keeper.store.plan(), 1)[byte] ^= 4;
+    CAPTURE(byte);
+    CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
+    slot(flash, keeper.store.plan(), 1)[byte] ^= 4;
+  }
 }
 
 TEST_CASE("a discarded checkpoint is never found again, whenever the power fails") {

@@ -755,6 +755,9 @@ TEST_CASE("headers with invalid values are refused") {
   CHECK(without_header(4, 0, detail::wire::header_payload));     // width 0
   CHECK(without_header(5, 0x80, detail::wire::header_payload));  // width above the limit
   CHECK(without_header(6, 0, detail::wire::header_payload));     // height 0
+  using Flags = detail::wire::HeaderFlags;
+  constexpr size_t flags = detail::wire::header_payload - 8 - 4 - 1;
+  CHECK(without_header(flags, Flags::slices | Flags::levels, detail::wire::header_payload));
   CHECK(without_header(99, 0, detail::wire::header_payload - 1));
   CHECK_FALSE(
       without_header(99, 0, detail::wire::header_payload + 5));  // a later version may be longer

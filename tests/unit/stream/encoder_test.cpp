@@ -50,6 +50,9 @@ TEST_CASE("a stream with an invalid header or output is refused") {
 
 TEST_CASE(
     "headers and labels begin as zeros, and label() copies depth, scan and channel of the header") {
+  StreamHeader without_surfaces = any_header();
+  without_surfaces.surface_count = 0;
+  CHECK_FALSE(without_surfaces.is_valid());
   const StreamHeader unsaid;
   CHECK(unsaid.width == 0);
   CHECK(unsaid.height == 0);
