@@ -197,12 +197,11 @@ double mean_angle(const FaceMesh& mesh, const FaceMesh& exact) {
 double mean_distance_along(const Crossings& crossings, const Crossings& exact) {
   double sum = 0;
   std::size_t count = 0;
-  crossings.for_each([&](Crossings::Place place, const Vertex& middle) {
+  crossings.for_each([&](Crossings::Id id, const Vertex& middle) {
     const auto found = exact.find(middle);
     if (!found) return;
     sum +=
-        std::abs(static_cast<double>(crossings.at(place)) - static_cast<double>(exact.at(*found))) /
-        2;
+        std::abs(static_cast<double>(crossings.at(id)) - static_cast<double>(exact.at(*found))) / 2;
     ++count;
   });
   return sum / static_cast<double>(count);

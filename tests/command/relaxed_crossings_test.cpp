@@ -60,12 +60,12 @@ TEST_CASE("polygons cross the same edges as the samples, in the middle") {
       const Crossings& of_samples = of.finder.crossings();
       for (std::size_t axis = 0; axis < 3; ++axis)
         CHECK(crossings.count(axis) == of_samples.count(axis));
-      crossings.for_each([&](Crossings::Place place, const Vertex& middle) {
+      crossings.for_each([&](Crossings::Id id, const Vertex& middle) {
         const auto same = of_samples.find(middle);
         REQUIRE(same);
-        REQUIRE(same->axis == place.axis);
-        REQUIRE(crossings.falls(place) == of_samples.falls(*same));
-        REQUIRE(crossings.at(place) == 1);
+        REQUIRE(same->axis == id.axis);
+        REQUIRE(crossings.falls(id) == of_samples.falls(*same));
+        REQUIRE(crossings.at(id) == 1);
       });
     }
 }
@@ -77,8 +77,8 @@ TEST_CASE("a relaxed surface is closed, keeps every voxel on its side and inters
       const Extracted of = extracted(field);
       const Crossings crossings = relaxed(field, of, tolerance);
       std::size_t moved = 0;
-      crossings.for_each([&](Crossings::Place place, const Vertex&) {
-        const double at = static_cast<double>(crossings.at(place));
+      crossings.for_each([&](Crossings::Id id, const Vertex&) {
+        const double at = static_cast<double>(crossings.at(id));
         REQUIRE(at >= Crossings::margin);
         REQUIRE(at <= 2 - Crossings::margin);
         if (std::abs(at - 1) > 0.05) ++moved;
@@ -110,8 +110,8 @@ TEST_CASE("separate() leaves no intersecting faces in noise") {
   const Extracted of = extracted(field);
   Crossings crossings(dims_of(field), of.surface.polygons);
   discmc::test::Chance chance(1);
-  crossings.for_each([&](Crossings::Place place, const Vertex&) {
-    crossings.move(place, chance.below(2) == 0 ? 0.02F : 1.98F);
+  crossings.for_each([&](Crossings::Id id, const Vertex&) {
+    crossings.move(id, chance.below(2) == 0 ? 0.02F : 1.98F);
   });
   REQUIRE(crossing_pairs(mesh_of(of, &crossings, 0)) > 0);
   separate(crossings, of.surface, {Border::closed, 0, {}});
@@ -122,10 +122,10 @@ TEST_CASE("a flat surface stays flat") {
   for (const Field& field : {slope(0, 0), slope(1, 0), slope(-1, 1)}) {
     const Extracted of = extracted(field);
     const Crossings crossings = relaxed(field, of, 0);
-    crossings.for_each([&](Crossings::Place place, const Vertex& middle) {
+    crossings.for_each([&](Crossings::Id id, const Vertex& middle) {
       const bool is_inner = middle.x > 8 && middle.x < 38 && middle.y > 8 && middle.y < 30 &&
                             middle.z > 8 && middle.z < 14;
-      if (is_inner) CHECK(crossings.at(place) == doctest::Approx(1).epsilon(1e-3));
+      if (is_inner) CHECK(crossings.at(id) == doctest::Approx(1).epsilon(1e-3));
     });
   }
 }
@@ -145,7 +145,7 @@ TEST_CASE("the rim of a surface is rounded at a closed border, and flat at an op
   }
 }
 
-TEST_CASE("a relaxed ball is rounder than that of midpoints, in place and in direction") {
+TEST_CASE("a relaxed ball is rounder than that of midpoints, in position and in direction") {
   const Field field = ball(44, 17.3);
   const Extracted of = extracted(field);
   const Crossings crossings = relaxed(field, of, 0);

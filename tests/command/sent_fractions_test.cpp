@@ -43,14 +43,14 @@ void check_near_samples(const Field& field, std::uint8_t levels) {
   const Crossings crossings = received.crossings();
   const Crossings& exact = of.finder.crossings();
   std::size_t sent = 0;
-  crossings.for_each([&](Crossings::Place place, const Vertex& middle) {
+  crossings.for_each([&](Crossings::Id id, const Vertex& middle) {
     const auto same = exact.find(middle);
     REQUIRE(same);
     const double apart =
-        std::abs(static_cast<double>(crossings.at(place)) - static_cast<double>(exact.at(*same)));
-    const double rounding = place.axis == 2 ? rounding_along_z : 1e-6;
+        std::abs(static_cast<double>(crossings.at(id)) - static_cast<double>(exact.at(*same)));
+    const double rounding = id.axis == 2 ? rounding_along_z : 1e-6;
     REQUIRE(apart / 2 <= 0.5 / levels + rounding);
-    if (crossings.intervals(place) == levels) ++sent;
+    if (crossings.intervals(id) == levels) ++sent;
   });
   CHECK(sent == exact.count(0) + exact.count(1) + exact.count(2));
 }
@@ -76,9 +76,9 @@ TEST_CASE("relaxed crossings with fractions stay in their intervals and are clos
   relax(relaxed, received.surface(), {});
   const Crossings& exact = of.finder.crossings();
   double of_sent = 0, of_relaxed = 0;
-  sent.for_each([&](Crossings::Place place, const Vertex& middle) {
-    const auto at = [place](const Crossings& crossings) {
-      return static_cast<double>(crossings.at(place));
+  sent.for_each([&](Crossings::Id id, const Vertex& middle) {
+    const auto at = [id](const Crossings& crossings) {
+      return static_cast<double>(crossings.at(id));
     };
     REQUIRE(std::abs(at(relaxed) - at(sent)) <= 0.5 + 1e-6);
     const double true_at = static_cast<double>(exact.at(*exact.find(middle)));

@@ -171,13 +171,13 @@ const Crossings::Crossing* Crossings::crossing_of(const Vertex& middle) const {
   return found != end && found->x == x ? found : nullptr;
 }
 
-std::optional<Crossings::Place> Crossings::find(const Vertex& middle) const {
+std::optional<Crossings::Id> Crossings::find(const Vertex& middle) const {
   const Vertex at = middle - first_;
   const Crossing* const crossing = crossing_of(at);
   if (crossing == nullptr) return std::nullopt;
   const std::uint32_t axis = axis_of(at);
-  return Place{static_cast<std::uint8_t>(axis),
-               static_cast<std::uint32_t>(crossing - along_[axis].crossings.data())};
+  return Id{static_cast<std::uint8_t>(axis),
+            static_cast<std::uint32_t>(crossing - along_[axis].crossings.data())};
 }
 
 // Starts at a corner inside the volume and reaches the others across the edges between them.
@@ -215,7 +215,7 @@ Point Crossings::on_edge(const Vertex& middle) const {
 }
 
 Vertex Crossings::middle_of(std::size_t axis, std::size_t row, std::uint32_t x) const {
-  const auto step = [axis](std::size_t of) { return axis == of ? 1 : 0; };
+  const auto step = [axis](std::size_t coordinate) { return axis == coordinate ? 1 : 0; };
   return first_ + Vertex{2 * static_cast<std::int32_t>(x) + step(0),
                          2 * static_cast<std::int32_t>(row % dims_[1]) + step(1),
                          2 * static_cast<std::int32_t>(row / dims_[1]) + step(2)};

@@ -32,7 +32,7 @@ class Crossings {
     float begin, end;
   };
   /// Identifies a crossing by its axis and its index in the order of the edges.
-  struct Place {
+  struct Id {
     std::uint8_t axis;
     std::uint32_t number;
   };
@@ -61,13 +61,13 @@ class Crossings {
   }
 
   /// Returns the crossing at the middle of an edge, if there is one. Limit: is_middle().
-  std::optional<Place> find(const Vertex& middle) const;
+  std::optional<Id> find(const Vertex& middle) const;
   /// Calls `call` with the crossing at the middle of an edge, or with the crossings around a
   /// centroid.
   template <class Call>
   void for_each_near(const Vertex& vertex, Call call) const {
     const auto call_if_found = [&](const Vertex& middle) {
-      if (const auto place = find(middle)) call(*place);
+      if (const auto id = find(middle)) call(*id);
     };
     if (is_middle(vertex)) return call_if_found(vertex);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -82,7 +82,7 @@ class Crossings {
   /// Returns the number of crossings along an axis.
   std::size_t count(std::size_t axis) const { return along_[axis].crossings.size(); }
   /// Whether the edge begins on and ends off.
-  bool falls(Place place) const { return along_[place.axis].crossings[place.number].falls; }
+  bool falls(Id id) const { return along_[id.axis].crossings[id.number].falls; }
   /// Calls `call` with each crossing, and with the middle of its edge.
   template <class Call>
   void for_each(Call call) const {
@@ -90,26 +90,23 @@ class Crossings {
       const Rows& rows = along_[axis];
       for (std::size_t row = 0; row + 1 < rows.begin.size(); ++row)
         for (std::size_t i = rows.begin[row]; i < rows.begin[row + 1]; ++i)
-          call(Place{axis, static_cast<std::uint32_t>(i)},
-               middle_of(axis, row, rows.crossings[i].x));
+          call(Id{axis, static_cast<std::uint32_t>(i)}, middle_of(axis, row, rows.crossings[i].x));
     }
   }
   /// Returns the position of the crossing from the voxel at which its edge begins. Units:
   /// half-steps.
-  float at(Place place) const { return along_[place.axis].crossings[place.number].at; }
+  float at(Id id) const { return along_[id.axis].crossings[id.number].at; }
   /// Returns the number of intervals of the edge. The crossing is in the middle of its interval.
-  std::uint8_t intervals(Place place) const {
-    return along_[place.axis].crossings[place.number].intervals;
-  }
+  std::uint8_t intervals(Id id) const { return along_[id.axis].crossings[id.number].intervals; }
   /// Limit: from `margin` to 2 - `margin`.
-  void move(Place place, float at) { along_[place.axis].crossings[place.number].at = at; }
-  void move(Place place, float at, std::uint8_t intervals) {
-    along_[place.axis].crossings[place.number].intervals = intervals;
-    move(place, at);
+  void move(Id id, float at) { along_[id.axis].crossings[id.number].at = at; }
+  void move(Id id, float at, std::uint8_t intervals) {
+    along_[id.axis].crossings[id.number].intervals = intervals;
+    move(id, at);
   }
 
   /// Limit: the finder keeps ends.
-  Ends& ends(Place place) { return along_[place.axis].ends[place.number]; }
+  Ends& ends(Id id) { return along_[id.axis].ends[id.number]; }
   /// Returns the crossing, as at(), of the line between two ends with zero. Limit: their signs
   /// differ.
   static float zero_between(Ends ends) { return 2 * (ends.begin / (ends.begin - ends.end)); }

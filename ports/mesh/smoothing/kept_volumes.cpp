@@ -17,7 +17,7 @@
 namespace discmc::meshing {
 namespace {
 
-using Place = Crossings::Place;
+using Id = Crossings::Id;
 using Ends = Crossings::Ends;
 
 constexpr std::uint32_t no_piece = ~0U, no_edge = ~0U;
@@ -27,7 +27,7 @@ constexpr unsigned max_rounds = 25;
 // A body or a cavity: one component of a surface.
 struct Piece {
   struct Edge {
-    Place place;
+    Id crossing;
     float sign;               // 1 if its edge begins on, -1 if it ends on
     std::uint32_t neighbour;  // the piece on the other side of the edge, or no_piece
     Ends ends;
@@ -57,25 +57,26 @@ struct Wall {
 };
 
 // Returns the voxel of an edge that is off. middle: of the edge.
-Vertex off_voxel(const Vertex& middle, Place place, bool falls) {
+Vertex off_voxel(const Vertex& middle, Id id, bool falls) {
   std::array<std::int32_t, 3> at = {middle.x, middle.y, middle.z};
-  at[place.axis] += falls ? 1 : -1;
+  at[id.axis] += falls ? 1 : -1;
   return {at[0], at[1], at[2]};
 }
 
 class VolumeKeeper {
  public:
   VolumeKeeper(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping)
-      : surfaces_(surfaces), keeping_(keeping), of_surface_(surfaces.size()) {
+      : surfaces_(surfaces), keeping_(keeping), pieces_by_surface_(surfaces.size()) {
     for_each_surface([this](std::size_t i) { find_pieces(i); });
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      of_surface_[i].first_piece = static_cast<std::uint32_t>(pieces_.size());
-      for (const double volume : of_surface_[i].volumes_mm3) pieces_.push_back({i, volume, volume});
+      pieces_by_surface_[i].first_piece = static_cast<std::uint32_t>(pieces_.size());
+      for (const double volume : pieces_by_surface_[i].volumes_mm3)
+        pieces_.push_back({i, volume, volume});
     }
     for_each_surface([this](std::size_t i) { find_edges(i); });
     for_each_piece_by_surface([this](std::size_t i) {
       for (Piece::Edge& edge : pieces_[i].edges)
-        edge.ends = surfaces_[pieces_[i].surface].crossings->ends(edge.place);
+        edge.ends = surfaces_[pieces_[i].surface].crossings->ends(edge.crossing);
       move_crossings(pieces_[i]);
     });
   }
@@ -94,9 +95,7 @@ class VolumeKeeper {
  private:
   // The pieces of a surface's polygons and crossings, counted from its first one.
   struct SurfacePieces {
-    std::uint32_t piece_of(Place place) const {
-      return first_piece + of_crossing[place.axis][place.number];
-    }
+    std::uint32_t piece_of(Id id) const { return first_piece + of_crossing[id.axis][id.number]; }
 
     std::vector<double> volumes_mm3;                        // of the voxels of each piece
     std::uint32_t first_piece = 0;                          // index in pieces_
@@ -114,65 +113,66 @@ class VolumeKeeper {
   template <class Call>
   void for_each_piece_by_surface(Call call) const {
     for_each_surface([&](std::size_t number) {
-      const SurfacePieces& parts = of_surface_[number];
-      for (std::size_t i = 0; i < parts.volumes_mm3.size(); ++i) call(parts.first_piece + i);
+      const SurfacePieces& surface_pieces = pieces_by_surface_[number];
+      for (std::size_t i = 0; i < surface_pieces.volumes_mm3.size(); ++i)
+        call(surface_pieces.first_piece + i);
     });
   }
 
   template <class Call>
-  void for_each_place(std::size_t number, std::uint32_t polygon, Call call) const {
+  void for_each_crossing_of(std::size_t number, std::uint32_t polygon, Call call) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       for_each_crossing(surfaces_[number].surface->polygons[polygon], axis,
                         [&](const Vertex& middle) {
-                          if (const auto place = surfaces_[number].crossings->find(middle))
-                            call(*place, middle);
+                          if (const auto id = surfaces_[number].crossings->find(middle))
+                            call(*id, middle);
                         });
   }
 
   void find_pieces(std::size_t number) {
     const Surface& surface = *surfaces_[number].surface;
-    SurfacePieces& parts = of_surface_[number];
-    parts.of_polygon.resize(surface.polygons.size());
+    SurfacePieces& surface_pieces = pieces_by_surface_[number];
+    surface_pieces.of_polygon.resize(surface.polygons.size());
     for (std::size_t axis = 0; axis < 3; ++axis)
-      parts.of_crossing[axis].resize(surfaces_[number].crossings->count(axis));
+      surface_pieces.of_crossing[axis].resize(surfaces_[number].crossings->count(axis));
     const Point& spacing = surface.spacing_mm;
     for (const Component& component : components(surface)) {
-      const auto piece_index = static_cast<std::uint32_t>(parts.volumes_mm3.size());
+      const auto piece_index = static_cast<std::uint32_t>(surface_pieces.volumes_mm3.size());
       std::int64_t voxels = 0;
       for (const std::uint32_t polygon : component.polygons) {
         voxels += enclosed_voxels(surface.polygons[polygon]);
-        parts.of_polygon[polygon] = piece_index;
-        for_each_place(number, polygon, [&](Place place, const Vertex&) {
-          parts.of_crossing[place.axis][place.number] = piece_index;
+        surface_pieces.of_polygon[polygon] = piece_index;
+        for_each_crossing_of(number, polygon, [&](Id id, const Vertex&) {
+          surface_pieces.of_crossing[id.axis][id.number] = piece_index;
         });
       }
-      parts.volumes_mm3.push_back(static_cast<double>(voxels) *
-                                  std::fabs(spacing[0] * spacing[1] * spacing[2]));
+      surface_pieces.volumes_mm3.push_back(static_cast<double>(voxels) *
+                                           std::fabs(spacing[0] * spacing[1] * spacing[2]));
     }
   }
 
   // The first of two surfaces with an edge sets the ends of both, so they are not read here.
   void find_edges(std::size_t number) {
     Crossings& crossings = *surfaces_[number].crossings;
-    const SurfacePieces& parts = of_surface_[number];
-    for (std::uint32_t polygon = 0; polygon < parts.of_polygon.size(); ++polygon)
-      for_each_place(number, polygon, [&](Place place, const Vertex& middle) {
+    const SurfacePieces& surface_pieces = pieces_by_surface_[number];
+    for (std::uint32_t polygon = 0; polygon < surface_pieces.of_polygon.size(); ++polygon)
+      for_each_crossing_of(number, polygon, [&](Id id, const Vertex& middle) {
         std::uint32_t neighbour = no_piece;
-        const std::size_t other = surface_beyond(number, middle, place);
+        const std::size_t other = surface_beyond(number, middle, id);
         if (other != VolumeKeeping::none) {
-          const auto there = surfaces_[other].crossings->find(middle);
-          neighbour = of_surface_[other].piece_of(*there);
+          const auto other_id = surfaces_[other].crossings->find(middle);
+          neighbour = pieces_by_surface_[other].piece_of(*other_id);
           if (number < other)
-            share(crossings.ends(place), surfaces_[other].crossings->ends(*there));
+            share(crossings.ends(id), surfaces_[other].crossings->ends(*other_id));
         }
-        pieces_[parts.first_piece + parts.of_polygon[polygon]].edges.push_back(
-            {place, crossings.falls(place) ? 1.0F : -1.0F, neighbour, {}});
+        pieces_[surface_pieces.first_piece + surface_pieces.of_polygon[polygon]].edges.push_back(
+            {id, crossings.falls(id) ? 1.0F : -1.0F, neighbour, {}});
       });
   }
 
-  std::size_t surface_beyond(std::size_t number, const Vertex& middle, Place place) const {
+  std::size_t surface_beyond(std::size_t number, const Vertex& middle, Id id) const {
     if (!keeping_.surface_of) return VolumeKeeping::none;
-    return keeping_.surface_of(off_voxel(middle, place, surfaces_[number].crossings->falls(place)));
+    return keeping_.surface_of(off_voxel(middle, id, surfaces_[number].crossings->falls(id)));
   }
 
   static void share(Ends& one, Ends& other) {
@@ -182,7 +182,7 @@ class VolumeKeeper {
 
   void move_crossings(const Piece& piece) {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
-    for (const Piece::Edge& edge : piece.edges) crossings.move(edge.place, at(piece, edge));
+    for (const Piece::Edge& edge : piece.edges) crossings.move(edge.crossing, at(piece, edge));
   }
 
   // Returns a crossing, like Crossings::at(), with the current shifts.
@@ -200,9 +200,9 @@ class VolumeKeeper {
     options.separates = false;
     if (surfaces_.size() == 1) options.jobs = keeping_.jobs;
     const FaceMesh mesh = build_mesh(*surfaces_[number].surface, options);
-    const SurfacePieces& parts = of_surface_[number];
-    const auto pieces = pieces_.begin() + parts.first_piece;
-    const auto pieces_end = pieces + static_cast<std::ptrdiff_t>(parts.volumes_mm3.size());
+    const SurfacePieces& surface_pieces = pieces_by_surface_[number];
+    const auto pieces = pieces_.begin() + surface_pieces.first_piece;
+    const auto pieces_end = pieces + static_cast<std::ptrdiff_t>(surface_pieces.volumes_mm3.size());
     std::for_each(pieces, pieces_end, [](Piece& piece) {
       piece.faces.clear();
       piece.corners.clear();
@@ -212,7 +212,7 @@ class VolumeKeeper {
     };
     std::vector<LocalCorner> local_corners(mesh.lattice.size());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-      const std::uint32_t piece_index = parts.of_polygon[mesh.polygons[face]];
+      const std::uint32_t piece_index = surface_pieces.of_polygon[mesh.polygons[face]];
       Piece& piece = pieces[piece_index];
       Triangle triangle;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -233,34 +233,34 @@ class VolumeKeeper {
 
   // edges: scratch space without edges, before and after the call.
   void find_edges_of_corners(Piece& piece, std::array<std::vector<std::uint32_t>, 3>& edges) const {
-    const auto edge_at = [&](Place place) -> auto& {
-      return edges[place.axis][place.number];
+    const auto edge_at = [&](Id id) -> auto& {
+      return edges[id.axis][id.number];
     };
-    for (std::uint32_t i = 0; i < piece.edges.size(); ++i) edge_at(piece.edges[i].place) = i;
+    for (std::uint32_t i = 0; i < piece.edges.size(); ++i) edge_at(piece.edges[i].crossing) = i;
     piece.around.clear();
     for (Piece::Corner& corner : piece.corners)
-      surfaces_[piece.surface].crossings->for_each_near(corner.lattice, [&](Place place) {
-        if (edge_at(place) == no_edge) return;
-        const Piece::Edge& edge = piece.edges[edge_at(place)];
+      surfaces_[piece.surface].crossings->for_each_near(corner.lattice, [&](Id id) {
+        if (edge_at(id) == no_edge) return;
+        const Piece::Edge& edge = piece.edges[edge_at(id)];
         corner.is_crossing = is_middle(corner.lattice);
         if (corner.is_crossing)
           corner.edge = edge;
         else
           piece.around.push_back(edge);
       });
-    for (const Piece::Edge& edge : piece.edges) edge_at(edge.place) = no_edge;
+    for (const Piece::Edge& edge : piece.edges) edge_at(edge.crossing) = no_edge;
   }
 
   // Returns the volume of the piece at its current shift.
   double enclosed_mm3(const Piece& piece) const {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
-    for (const Piece::Edge& edge : piece.around) crossings.move(edge.place, at(piece, edge));
+    for (const Piece::Edge& edge : piece.around) crossings.move(edge.crossing, at(piece, edge));
     std::vector<Point> from_apex;
     from_apex.reserve(piece.corners.size());
     for (const auto& [lattice, is_crossing, edge] : piece.corners)
       from_apex.push_back(
-          in_mm(is_crossing ? Crossings::interpolated(lattice, edge.place.axis, at(piece, edge))
+          in_mm(is_crossing ? Crossings::interpolated(lattice, edge.crossing.axis, at(piece, edge))
                             : crossings.interpolated(lattice),
                 spacing));
     const Point apex = from_apex[0];  // near, to keep rounding small
@@ -391,8 +391,8 @@ class VolumeKeeper {
   std::vector<double> moves_against(const std::vector<double>& excess) const {
     constexpr unsigned sweeps = 200;
     std::vector<std::vector<Wall>> walls;
-    std::vector<std::uint32_t> places(pieces_.size(), no_piece);
-    for (const Piece& piece : pieces_) walls.push_back(walls_of(piece, places));
+    std::vector<std::uint32_t> wall_of_piece(pieces_.size(), no_piece);
+    for (const Piece& piece : pieces_) walls.push_back(walls_of(piece, wall_of_piece));
     std::vector<double> moves(pieces_.size());
     for (unsigned sweep = 0; sweep < sweeps; ++sweep)
       for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -406,22 +406,22 @@ class VolumeKeeper {
     return moves;
   }
 
-  // places: scratch space per piece; no_piece before and after the call.
-  std::vector<Wall> walls_of(const Piece& piece, std::vector<std::uint32_t>& places) const {
+  // wall_of_piece: scratch space; no_piece for each piece, before and after the call.
+  std::vector<Wall> walls_of(const Piece& piece, std::vector<std::uint32_t>& wall_of_piece) const {
     std::vector<Wall> walls = {{no_piece, 0}};
     for (const Piece::Edge& edge : piece.edges) {
       if (edge.neighbour == no_piece) {
         walls[0].area_mm2 += area_mm2(piece, edge);
         continue;
       }
-      std::uint32_t& place = places[edge.neighbour];
-      if (place == no_piece) {
-        place = static_cast<std::uint32_t>(walls.size());
+      std::uint32_t& wall = wall_of_piece[edge.neighbour];
+      if (wall == no_piece) {
+        wall = static_cast<std::uint32_t>(walls.size());
         walls.push_back({edge.neighbour, 0});
       }
-      walls[place].area_mm2 += area_mm2(piece, edge);
+      walls[wall].area_mm2 += area_mm2(piece, edge);
     }
-    for (std::size_t i = 1; i < walls.size(); ++i) places[walls[i].neighbour] = no_piece;
+    for (std::size_t i = 1; i < walls.size(); ++i) wall_of_piece[walls[i].neighbour] = no_piece;
     return walls;
   }
 
@@ -438,7 +438,7 @@ class VolumeKeeper {
     const float at_off = edge.sign > 0 ? ends.end : ends.begin;
     if (at_on + shift < least || at_off + shift > -least) return 0;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
-    const double along = spacing[edge.place.axis];
+    const double along = spacing[edge.crossing.axis];
     return std::fabs(spacing[0] * spacing[1] * spacing[2]) / (along * along) *
            std::fabs(static_cast<double>(ends.begin - ends.end)) / (has_neighbour ? 4 : 1);
   }
@@ -466,7 +466,7 @@ class VolumeKeeper {
   const std::vector<SmoothSurface>& surfaces_;
   const VolumeKeeping& keeping_;
   std::vector<Piece> pieces_;
-  std::vector<SurfacePieces> of_surface_;
+  std::vector<SurfacePieces> pieces_by_surface_;
 };
 
 }  // namespace

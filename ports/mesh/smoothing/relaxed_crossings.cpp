@@ -13,7 +13,7 @@
 namespace discmc::meshing {
 namespace {
 
-using Place = Crossings::Place;
+using Id = Crossings::Id;
 
 constexpr unsigned passes = 6;
 // The deviation of a crossing from the line of its neighbours. Units: edges.
@@ -41,13 +41,14 @@ class Relaxer {
  public:
   Relaxer(Crossings& crossings, Border border) : crossings_(crossings), border_(border) {
     nodes_.reserve(crossings.count(0) + crossings.count(1) + crossings.count(2));
-    crossings.for_each([this](Place place, const Vertex& middle) { add_node(place, middle); });
+    crossings.for_each([this](Id id, const Vertex& middle) { add_node(id, middle); });
   }
 
   void pass() {
     relaxed_.clear();
     for (const Node& node : nodes_) relaxed_.push_back(relaxed(node));
-    for (std::size_t i = 0; i < nodes_.size(); ++i) crossings_.move(nodes_[i].place, relaxed_[i]);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      crossings_.move(nodes_[i].crossing, relaxed_[i]);
   }
 
  private:
@@ -66,7 +67,7 @@ class Relaxer {
   };
   // A crossing with two neighbours in each of two planes.
   struct Node {
-    Place place;
+    Id crossing;
     float low, high;  // limits of the crossing. Units: edges
     std::array<std::array<Neighbour, 2>, 2> beside;
   };
@@ -77,25 +78,25 @@ class Relaxer {
   };
 
   static std::uint8_t axis_of_plane(const Node& node, std::size_t plane) {
-    return static_cast<std::uint8_t>((node.place.axis + 1 + plane) % 3);
+    return static_cast<std::uint8_t>((node.crossing.axis + 1 + plane) % 3);
   }
 
-  void add_node(Place place, const Vertex& middle) {
-    const float at = crossings_.at(place) / 2;
-    const float half = 0.5F / static_cast<float>(crossings_.intervals(place));
-    Node node{place, at - half, at + half, {}};
+  void add_node(Id id, const Vertex& middle) {
+    const float at = crossings_.at(id) / 2;
+    const float half = 0.5F / static_cast<float>(crossings_.intervals(id));
+    Node node{id, at - half, at + half, {}};
     for (std::size_t plane = 0; plane < 2; ++plane)
       for (std::size_t side = 0; side < 2; ++side)
         node.beside[plane][side] = neighbour(
-            place, middle, times(side == 0 ? -1 : 1, step_along(axis_of_plane(node, plane))));
+            id, middle, times(side == 0 ? -1 : 1, step_along(axis_of_plane(node, plane))));
     nodes_.push_back(node);
   }
 
   // The surface separates the voxels that are on in an ambiguous face. It therefore goes around the
   // edge's voxel that is on, if possible.
-  Neighbour neighbour(Place place, const Vertex& middle, const Vertex& step) const {
-    const Vertex half = step_along(place.axis);
-    const bool falls = crossings_.falls(place);
+  Neighbour neighbour(Id id, const Vertex& middle, const Vertex& step) const {
+    const Vertex half = step_along(id.axis);
+    const bool falls = crossings_.falls(id);
     const auto at_on = crossings_.find((falls ? middle - half : middle + half) + step);
     if (at_on) return {falls ? Way::at_begin : Way::at_end, at_on->number};
     const auto at_off = crossings_.find((falls ? middle + half : middle - half) + step);
@@ -111,7 +112,7 @@ class Relaxer {
     const auto at = [&](std::uint8_t axis) {
       return static_cast<double>(crossings_.at({axis, neighbour.number})) / 2;
     };
-    if (neighbour.way == Way::beside) return {at(node.place.axis), 1};
+    if (neighbour.way == Way::beside) return {at(node.crossing.axis), 1};
     constexpr double middle = 0.5;
     if (neighbour.way == Way::begin_of_border) return {0, middle};
     if (neighbour.way == Way::end_of_border) return {1, middle};
@@ -130,7 +131,7 @@ class Relaxer {
       sum += (one.along * other.across + other.along * one.across) / (one.across + other.across);
       ++planes;
     }
-    if (planes == 0) return crossings_.at(node.place);
+    if (planes == 0) return crossings_.at(node.crossing);
     const double mean =
         mean_within(sum / planes, static_cast<double>(node.low), static_cast<double>(node.high));
     return static_cast<float>(std::clamp(2 * mean, Crossings::margin, 2 - Crossings::margin));
@@ -144,10 +145,10 @@ class Relaxer {
 
 // Moves a crossing half of the way to the middle, and in the last rounds all of it. Returns
 // whether it had left the middle.
-bool move_to_middle(Crossings& crossings, Place place, unsigned round) {
+bool move_to_middle(Crossings& crossings, Id id, unsigned round) {
   constexpr unsigned halves = 3;
-  const float at = crossings.at(place);
-  crossings.move(place, round < halves ? (at + 1) / 2 : 1);
+  const float at = crossings.at(id);
+  crossings.move(id, round < halves ? (at + 1) / 2 : 1);
   return at != 1;
 }
 
@@ -163,9 +164,8 @@ void separate(Crossings& crossings, const Surface& surface, const Relaxation& re
     for (const auto& pair : intersecting_faces(mesh, all_faces(mesh), relaxation.check))
       for (const std::uint32_t face : pair)
         for (std::size_t i = 0; i < 3; ++i)
-          crossings.for_each_near(mesh.lattice[mesh.face(face)[i]], [&](Place place) {
-            is_moved |= move_to_middle(crossings, place, round);
-          });
+          crossings.for_each_near(mesh.lattice[mesh.face(face)[i]],
+                                  [&](Id id) { is_moved |= move_to_middle(crossings, id, round); });
   }
 }
 
