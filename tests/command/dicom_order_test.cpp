@@ -250,7 +250,7 @@ TEST_CASE("slices without positions are sorted by their numbers on request") {
   CHECK(!reader->info().placement);
   CHECK(noted(reader->info(), "in the order of their InstanceNumber; "));
   CHECK(noted(reader->info(), "which side is left, is unknown"));
-  CHECK(noted(reader->info(), "the slices are taken to be 2.5 mm apart, by SliceThickness"));
+  CHECK(noted(reader->info(), "the slices are assumed to be 2.5 mm apart, by SliceThickness"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 

@@ -177,8 +177,9 @@ void order_stack(const Path& source, Frames& stack, const SamePixels& same_pixel
                name_of(frame),
            "give a pattern of those that are alike, or export the series again");
   if (!line && stack.size() > 1 && stack[0].slice_spacing_mm != 0 && !options.spacing_mm)
-    note(info, "the slices are taken to be " + short_number(std::fabs(stack[0].slice_spacing_mm)) +
-                   " mm apart, by " + stack[0].slice_spacing_name);
+    note(info, "the slices are assumed to be " +
+                   short_number(std::fabs(stack[0].slice_spacing_mm)) + " mm apart, by " +
+                   stack[0].slice_spacing_name);
   set_dims(info, source, {image.columns, image.rows, static_cast<std::int64_t>(stack.size())});
   set_values(info, source, stack);
   set_slice_line(info, stack[0], line, options);

@@ -130,7 +130,7 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const DicomFrame& f
       if (!have_neighbours(*slices)) {
         if (name != "SpacingBetweenSlices") continue;
         note(info,
-             "no two slices are the " + by_name + " apart: those between are taken to be empty");
+             "no two slices are the " + by_name + " apart: those between are assumed to be empty");
       } else if (declared > 0 && std::fabs(step - declared) > max_jitter * declared) {
         note(info, "the slices are " + short_number(step) + " mm apart, not the " + by_name);
       }
