@@ -1,4 +1,5 @@
-// The grammar of a packet of records: the symbols of regions, loose fragments and marks.
+// The symbols and contexts of records; record_writing.hpp and record_reading.cpp define their
+// order.
 //
 // The same functions encode and decode, and each returns what was coded. A writing Coder writes the
 // argument of symbol(context, symbol) and returns it. A reading Coder ignores the argument and

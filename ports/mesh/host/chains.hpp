@@ -117,8 +117,8 @@ class Chains {
   /// Makes the found ring outgoing, as slots.
   void set_outgoing_ring(Fragments& fragments) const;
 
-  /// Finds the complete fragments, between two seams. Cost: follows the fragments that begin at a
-  /// seam.
+  /// Finds the complete fragments, between two seams. Makes the chain of each circular, and puts
+  /// its newest node in the seat. Cost: follows the fragments that begin at a seam.
   void find_complete(Slots& slots);
   bool has_complete() const { return complete_ > 0; }
   /// Makes the next complete fragment outgoing, as slots. Limit: there is one.
