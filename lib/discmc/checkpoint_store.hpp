@@ -190,7 +190,7 @@ class CheckpointStore {
  private:
   // The bytes of a slot: header, lengths, parts, checksum.
   struct Pieces {
-    Memory of[max_parts + 3];
+    Memory memory[max_parts + 3];
     uint32_t count;
     uint32_t at;
     size_t offset;

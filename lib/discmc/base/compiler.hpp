@@ -133,11 +133,12 @@ namespace detail::derive {
 constexpr uint32_t de_bruijn = 0x077CB531;
 
 struct BitPlaces {
-  uint8_t of[32];
+  uint8_t by_top_bits[32];
 };
 constexpr BitPlaces bit_places() {
   BitPlaces places{};
-  for (uint8_t bit = 0; bit < 32; ++bit) places.of[(uint32_t{1} << bit) * de_bruijn >> 27] = bit;
+  for (uint8_t bit = 0; bit < 32; ++bit)
+    places.by_top_bits[(uint32_t{1} << bit) * de_bruijn >> 27] = bit;
   return places;
 }
 
@@ -147,7 +148,7 @@ inline constexpr detail::derive::BitPlaces bit_places = detail::derive::bit_plac
 
 /// trailing_zeros() for processors that have no instruction for it.
 constexpr uint32_t trailing_zeros_by_table(uint32_t bits) {
-  return bit_places.of[(bits & (0 - bits)) * detail::derive::de_bruijn >> 27];
+  return bit_places.by_top_bits[(bits & (0 - bits)) * detail::derive::de_bruijn >> 27];
 }
 
 /// The number of zeros below the lowest 1. Limit: bits != 0.

@@ -144,13 +144,13 @@ bool CheckpointStore::set_parts(const Memory* parts, uint32_t count) {
 
 void CheckpointStore::set_pieces(const Memory* parts, uint32_t count) {
   uint32_t piece = 0;
-  pieces_.of[piece++] = {&head_, sizeof head_};
-  pieces_.of[piece++] = {lengths_, sizeof lengths_};
+  pieces_.memory[piece++] = {&head_, sizeof head_};
+  pieces_.memory[piece++] = {lengths_, sizeof lengths_};
   for (uint32_t i = 0; i < count; ++i) {
-    pieces_.of[piece++] = parts[i];
+    pieces_.memory[piece++] = parts[i];
     unpoison(parts[i].data, parts[i].bytes);  // an earlier scan may have left it poisoned
   }
-  pieces_.of[piece++] = {&tail_, sizeof tail_};
+  pieces_.memory[piece++] = {&tail_, sizeof tail_};
   pieces_.count = piece;
 }
 
@@ -166,7 +166,7 @@ void CheckpointStore::begin_pieces() {
 void CheckpointStore::move_pieces(bool is_to_unit) {
   uint32_t done = 0;
   while (done < device_.geometry.program_bytes && pieces_.at < pieces_.count) {
-    const Memory& piece = pieces_.of[pieces_.at];
+    const Memory& piece = pieces_.memory[pieces_.at];
     const bool is_tail = pieces_.at + 1 == pieces_.count;
     if (is_tail && is_to_unit) tail_ = pieces_.checksum;
     const size_t left = piece.bytes - pieces_.offset;

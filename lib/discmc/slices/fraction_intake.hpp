@@ -100,7 +100,7 @@ class FractionIntake {
   static constexpr int32_t min_sample = trace::min_sample<Sample>;
   static constexpr uint32_t per_four_words = 16 / sizeof(Sample);
   struct alignas(uint32_t) FourWords {
-    Sample of[per_four_words];
+    Sample samples[per_four_words];
   };
   static bool are_words(const Sample* samples) {
     return reinterpret_cast<uintptr_t>(samples) % alignof(FourWords) == 0;

@@ -64,8 +64,8 @@ bool DerivedPasses::find(const SweptRow& row, SweepCounts& counts) {
     }
     const uint32_t bit = trailing_zeros(voxels);
     int axis = 0;
-    while ((crossings_.of[axis] >> bit & 1) == 0) ++axis;
-    crossings_.of[axis] &= crossings_.of[axis] - 1;
+    while ((crossings_.by_axis[axis] >> bit & 1) == 0) ++axis;
+    crossings_.by_axis[axis] &= crossings_.by_axis[axis] - 1;
     const uint32_t x = column_of(word_ - 1, bit);
     derive_passes<is_lean>({row.around, word_ - 1, bit, axis}, is_lean ? 0 : row.absent_at(axis, x),
                            passes_);

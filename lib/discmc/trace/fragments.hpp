@@ -13,7 +13,8 @@
 //
 // A run is added at a corner, at a join, where an end is cut, and where a side is full. If few
 // slots are spare, the runs of long fragments leave early. An end without a slot to wait in is
-// lost: its fragment then has a loose end. A ring, and runs that leave a fragment, are outgoing()
+// lost: its fragment then has a loose end. The queue keeps the position of the lost end, so that
+// the ends behind it meet the right passes. A ring, and runs that leave a fragment, are outgoing()
 // until Delivery has sent them.
 #ifndef DISCMC_TRACE_FRAGMENTS_HPP
 #define DISCMC_TRACE_FRAGMENTS_HPP
@@ -25,21 +26,20 @@
 
 namespace discmc::detail::trace {
 
-/// The change of a place by a link, and the means to count links between two places without a
-/// division.
+/// Tables that count the links between two places without a division.
 struct LinkSteps {
   static constexpr int max_step = 6;
   static constexpr uint32_t fraction_bits = 15;
 
-  int8_t of[link_codes];
-  uint16_t inverse[max_step + 1];  ///< of the step's length, rounded up
+  int8_t place_step[link_codes];   ///< change of the place by each link
+  uint16_t inverse[max_step + 1];  ///< by length of the step; rounded up
 };
 namespace derive {
 constexpr LinkSteps link_steps() {
   LinkSteps steps{};
   for (Link link = 0; link < link_codes; ++link) {
     const Vertex v = link_vector(link);
-    steps.of[link] = static_cast<int8_t>(3 * v.x + 2 * v.y + v.z);
+    steps.place_step[link] = static_cast<int8_t>(3 * v.x + 2 * v.y + v.z);
   }
   for (int step = 1; step <= LinkSteps::max_step; ++step)
     steps.inverse[step] = static_cast<uint16_t>((1 << LinkSteps::fraction_bits) / step + 1);
@@ -68,7 +68,7 @@ static_assert(1U << place_bits < 1U << LinkSteps::fraction_bits,
 /// Returns the number of links from one place to another. Limit: the places are less than 8,192
 /// apart.
 inline uint32_t links_between(Place from, Place to, Link link) {
-  const int8_t step = link_steps.of[link];
+  const int8_t step = link_steps.place_step[link];
   const uint32_t distance = step < 0 ? from - to : to - from;
   return (distance & ((1U << place_bits) - 1)) * link_steps.inverse[step < 0 ? -step : step] >>
          LinkSteps::fraction_bits;
@@ -76,7 +76,7 @@ inline uint32_t links_between(Place from, Place to, Link link) {
 
 /// Returns the place after a link.
 inline Place moved(Place from, Link link) {
-  return from + static_cast<uint32_t>(link_steps.of[link]);
+  return from + static_cast<uint32_t>(link_steps.place_step[link]);
 }
 
 /// A chain that leaves the pool: a closed ring, or a loose fragment.

@@ -9,7 +9,7 @@ namespace discmc::detail::trace {
 
 /// The lower bits of a circle's lines, by the three bits of a row at x - 1, x and x + 1.
 struct LineBits {
-  uint16_t of[8];
+  uint16_t by_row[8];
 };
 
 namespace derive {
@@ -21,7 +21,7 @@ constexpr LineBits line_bits(int left, int middle, int right) {
   for (int row = 0; row < 8; ++row)
     for (int i = 0; i < 3; ++i)
       if ((row >> i & 1) != 0 && line[i] < 8)
-        bits.of[row] = static_cast<uint16_t>(bits.of[row] | 1 << 2 * line[i]);
+        bits.by_row[row] = static_cast<uint16_t>(bits.by_row[row] | 1 << 2 * line[i]);
   return bits;
 }
 
@@ -53,7 +53,8 @@ struct RowEdge {
   DISCMC_ALWAYS_INLINE uint32_t pair(const LineBits& bits, const uint32_t* lower,
                                      const uint32_t* upper) const {
     const uint32_t shift = bit - 1;
-    return bits.of[lower[word] >> shift & 7] | uint32_t{bits.of[upper[word] >> shift & 7]} << 1;
+    return bits.by_row[lower[word] >> shift & 7] | uint32_t{bits.by_row[upper[word] >> shift & 7]}
+                                                       << 1;
   }
 };
 

@@ -69,9 +69,9 @@ constexpr uint32_t column_of(uint32_t word, uint32_t bit) {
 
 /// The voxels in a word whose edges cross, by axis.
 struct CrossingEdges {
-  uint32_t of[3];
+  uint32_t by_axis[3];
 
-  uint32_t voxels() const { return of[0] | of[1] | of[2]; }
+  uint32_t voxels() const { return by_axis[0] | by_axis[1] | by_axis[2]; }
 
   /// Returns false if there are none; then nothing changes.
   template <bool has_absent_cells = true>
@@ -82,10 +82,10 @@ struct CrossingEdges {
     const uint32_t y = here ^ rows[1][2][word];
     const uint32_t z = here ^ rows[2][1][word];
     if (((x | y | z) & own_columns) == 0) return false;
-    of[0] =
+    by_axis[0] =
         x & (has_absent_cells && row.has_open_ends ? inner_columns(word, row.width) : own_columns);
-    of[1] = !has_absent_cells || row.has_y ? y & own_columns : 0;
-    of[2] = !has_absent_cells || row.has_z ? z & own_columns : 0;
+    by_axis[1] = !has_absent_cells || row.has_y ? y & own_columns : 0;
+    by_axis[2] = !has_absent_cells || row.has_z ? z & own_columns : 0;
     return true;
   }
 };

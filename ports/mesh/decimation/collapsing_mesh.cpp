@@ -73,8 +73,8 @@ void CollapsingMesh::number_bodies() {
 unsigned CollapsingMesh::count_triangles(std::uint32_t a, std::uint32_t b) const {
   unsigned count = 0;
   for_each_triangle(a, [&](std::uint32_t triangle, std::uint32_t) {
-    const Triangle& of = triangles_[triangle];
-    count += of[0] == b || of[1] == b || of[2] == b;
+    const Triangle& vertices = triangles_[triangle];
+    count += vertices[0] == b || vertices[1] == b || vertices[2] == b;
   });
   return count;
 }
@@ -87,12 +87,12 @@ void CollapsingMesh::describe(std::uint32_t kept, std::uint32_t gone, const Poin
   collapse.removed.clear();
   collapse.moved.clear();
   const auto add = [&](std::uint32_t triangle, std::uint32_t corner, std::uint32_t other) {
-    const Triangle& of = triangles_[triangle];
-    if (of[0] == other || of[1] == other || of[2] == other) {
+    const Triangle& vertices = triangles_[triangle];
+    if (vertices[0] == other || vertices[1] == other || vertices[2] == other) {
       if (other == gone) collapse.removed.push_back(triangle);
       return;
     }
-    Collapse::Moved moved{triangle, of, corners(triangle), {}};
+    Collapse::Moved moved{triangle, vertices, corners(triangle), {}};
     moved.after = moved.before;
     moved.numbers[corner] = kept;
     moved.after[corner] = at;

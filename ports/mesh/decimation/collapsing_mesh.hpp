@@ -44,8 +44,8 @@ class CollapsingMesh {
   const Point& point(std::uint32_t vertex) const { return points_[vertex]; }
   const Triangle& triangle(std::uint32_t triangle) const { return triangles_[triangle]; }
   Corners corners(std::uint32_t triangle) const {
-    const Triangle& of = triangles_[triangle];
-    return {points_[of[0]], points_[of[1]], points_[of[2]]};
+    const Triangle& vertices = triangles_[triangle];
+    return {points_[vertices[0]], points_[vertices[1]], points_[vertices[2]]};
   }
 
   /// Whether an edge of the vertex has only one triangle.

@@ -45,8 +45,9 @@ struct SharedTriangles {
 // Returns the triangles of the mesh, numbered along a curve, so that neighbours are near in memory.
 SharedTriangles triangles_along_curve(const FaceMesh& mesh) {
   const std::vector<Box> boxes = boxes_of(mesh.face_count(), [&](std::uint32_t face) {
-    const std::uint32_t* of = mesh.face(face);
-    return Corners{mesh.vertices_mm[of[0]], mesh.vertices_mm[of[1]], mesh.vertices_mm[of[2]]};
+    const std::uint32_t* vertices = mesh.face(face);
+    return Corners{mesh.vertices_mm[vertices[0]], mesh.vertices_mm[vertices[1]],
+                   mesh.vertices_mm[vertices[2]]};
   });
   constexpr std::uint32_t none = ~0U;
   std::vector<std::uint32_t> numbers(mesh.vertices_mm.size(), none);

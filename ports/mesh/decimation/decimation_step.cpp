@@ -50,8 +50,8 @@ void DecimationStep::find_blocks() {
   for (std::uint32_t triangle = 0; triangle < mesh_.triangle_slots(); ++triangle) {
     const std::uint32_t block = tree_.order_of(triangle) / block_triangles;
     for (const std::uint32_t vertex : mesh_.triangle(triangle)) {
-      std::uint32_t& of = block_of_[vertex];
-      of = of == unseen || of == block ? block : everywhere;
+      std::uint32_t& owner = block_of_[vertex];
+      owner = owner == unseen || owner == block ? block : everywhere;
     }
   }
 }
@@ -164,8 +164,9 @@ DecimatedSurface DecimationStep::result() {
   for (std::uint32_t triangle = 0; triangle < mesh_.triangle_slots(); ++triangle) {
     if (!mesh_.has_triangle(triangle)) continue;
     triangles.push_back(triangle);
-    const Triangle& of = mesh_.triangle(triangle);
-    result.triangles.push_back({number[of[0]], number[of[1]], number[of[2]]});
+    const Triangle& old_numbers = mesh_.triangle(triangle);
+    result.triangles.push_back(
+        {number[old_numbers[0]], number[old_numbers[1]], number[old_numbers[2]]});
   }
   result.left.renumber(vertices, triangles);
   return result;

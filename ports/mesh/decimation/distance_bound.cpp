@@ -36,8 +36,8 @@ OriginalSurface::OriginalSurface(std::vector<Point> points, std::vector<Triangle
       tree_(boxes_of(triangles_.size(), [this](std::uint32_t i) { return corners(i); })) {}
 
 Corners OriginalSurface::corners(std::uint32_t triangle) const {
-  const Triangle& of = triangles_[triangle];
-  return {points_[of[0]], points_[of[1]], points_[of[2]]};
+  const Triangle& vertices = triangles_[triangle];
+  return {points_[vertices[0]], points_[vertices[1]], points_[vertices[2]]};
 }
 
 bool OriginalSurface::is_near(const Point& point, double distance) const {

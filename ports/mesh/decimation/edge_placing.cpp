@@ -106,8 +106,8 @@ std::optional<EdgePlacing::PlacedVertex> EdgePlacing::placed(std::uint32_t a,
     Point normal = plus(sums_[a].doubled_area, sums_[b].doubled_area);
     double height = dot(sums_[a].doubled_area, to_a) + dot(sums_[b].doubled_area, to_b);
     mesh_.for_each_triangle(a, [&](std::uint32_t triangle, std::uint32_t) {
-      const Triangle& of = mesh_.triangle(triangle);
-      if (of[0] != b && of[1] != b && of[2] != b) return;
+      const Triangle& vertices = mesh_.triangle(triangle);
+      if (vertices[0] != b && vertices[1] != b && vertices[2] != b) return;
       const Point twice = doubled_area(mesh_.corners(triangle));
       normal = difference(normal, twice);
       height -= dot(twice, to_a);

@@ -58,7 +58,7 @@ struct LinkMeasure {
   uint8_t halvings;
 };
 struct LinkMeasures {
-  LinkMeasure of[link_codes];
+  LinkMeasure by_link[link_codes];
 };
 namespace derive {
 constexpr LinkMeasures link_measures() {
@@ -66,8 +66,8 @@ constexpr LinkMeasures link_measures() {
   for (Link link = 0; link < link_codes; ++link) {
     const Vertex v = link_vector(link);
     const int32_t change = v.z != 0 ? v.z : v.y != 0 ? v.y : v.x;
-    measures.of[link].shift = v.z != 0 ? 48 : v.y != 0 ? 32 : 16;
-    measures.of[link].halvings = change == 2 || change == -2 ? 1 : 0;
+    measures.by_link[link].shift = v.z != 0 ? 48 : v.y != 0 ? 32 : 16;
+    measures.by_link[link].halvings = change == 2 || change == -2 ? 1 : 0;
   }
   return measures;
 }
@@ -76,7 +76,7 @@ inline constexpr LinkMeasures link_measures = derive::link_measures();
 
 /// Returns the number of links from a corner straight to the next.
 inline uint32_t links_between(CornerCode from, CornerCode to) {
-  const LinkMeasure measure = link_measures.of[from.onwards()];
+  const LinkMeasure measure = link_measures.by_link[from.onwards()];
   const auto difference = static_cast<int32_t>(static_cast<uint32_t>(to.bits() >> measure.shift) -
                                                static_cast<uint32_t>(from.bits() >> measure.shift));
   return static_cast<uint32_t>(difference < 0 ? -difference : difference) >> measure.halvings;

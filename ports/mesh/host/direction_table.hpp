@@ -8,14 +8,14 @@ namespace discmc::host {
 
 /// The results of direction_of().
 struct DirectionTable {
-  Direction of[incidence_codes][link_codes];
+  Direction by_link[incidence_codes][link_codes];
 };
 namespace derive {
 constexpr DirectionTable direction_table() {
   DirectionTable table{};
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
     for (Direction direction = 0; direction < direction_count(incidence); ++direction)
-      table.of[incidence][link_of(incidence, direction)] = direction;
+      table.by_link[incidence][link_of(incidence, direction)] = direction;
   return table;
 }
 }  // namespace derive

@@ -34,7 +34,7 @@ class OneRingRegion {
   void move(const Vertex& by) { moved_by_ = moved_by_ + by; }
 
  private:
-  Direction direction(Link link) const { return host::direction_table.of[incidence()][link]; }
+  Direction direction(Link link) const { return host::direction_table.by_link[incidence()][link]; }
   host::CornerCode code(uint32_t i) const { return host::CornerCode(corners_[i]); }
 
   const uint64_t* corners_;

@@ -63,7 +63,7 @@ struct Ratio {
   std::string name;
   size_t other, ours;
 
-  double of(const Measurement& measurement) const {
+  double value(const Measurement& measurement) const {
     return measurement.results[other].nanoseconds / measurement.results[ours].nanoseconds;
   }
 };
@@ -88,7 +88,8 @@ void print_means(const std::string& name, const std::vector<Measurement>& measur
   for (const Measurement& measurement : measurements) {
     if (!is_counted(measurement)) continue;
     ++count;
-    for (size_t i = 0; i < ratios.size(); ++i) logarithms[i] += std::log(ratios[i].of(measurement));
+    for (size_t i = 0; i < ratios.size(); ++i)
+      logarithms[i] += std::log(ratios[i].value(measurement));
   }
   if (count == 0) return;
   Cells cells = {"*geometric mean of " + std::to_string(count) + ": " + name + "*"};
@@ -104,7 +105,7 @@ void print_ratios(const std::vector<Measurement>& measurements) {
   print_head("How many times as long the others take:", cells);
   for (const Measurement& measurement : measurements) {
     cells = {measurement.volume};
-    for (const Ratio& ratio : columns) cells.push_back(number(ratio.of(measurement), 2));
+    for (const Ratio& ratio : columns) cells.push_back(number(ratio.value(measurement), 2));
     print_row(cells);
   }
   const auto is_large = [](const Measurement& m) { return m.active_cells > many_cells; };

@@ -49,7 +49,7 @@ bool check(const Family& family, const Pipeline& pipeline, const Efforts (&effor
            bool prints_all) {
   bool holds = true;
   for (int part = 0; part < tests; ++part) {
-    const Effort &before = efforts[0].of[part], &after = efforts[1].of[part];
+    const Effort &before = efforts[0].by_part[part], &after = efforts[1].by_part[part];
     if (before.work == 0) continue;
     const double grows = growth(before, after);
     const bool is_bad = grows > max_growth && !is_small(after);
@@ -58,7 +58,8 @@ bool check(const Family& family, const Pipeline& pipeline, const Efforts (&effor
     std::printf("%-26s %-22s %-9s %5.2f%s", family.name, pipeline.name, part_names[part], grows,
                 is_bad ? " !" : "  ");
     for (const Efforts& effort : efforts)
-      std::printf(" %12" PRIu64 " / %-9" PRIu64, effort.of[part].blocks, effort.of[part].work);
+      std::printf(" %12" PRIu64 " / %-9" PRIu64, effort.by_part[part].blocks,
+                  effort.by_part[part].work);
     std::printf("\n");
     std::fflush(stdout);
   }

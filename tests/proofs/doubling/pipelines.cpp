@@ -58,18 +58,18 @@ class Metered {
   Metered(Next& next, Part part, Part before) : next_(next), part_(part), before_(before) {}
 
   SinkResult accept(const Event& event) {
-    ++efforts->of[part_].work;
-    ++efforts->of[before_].work;
+    ++efforts->by_part[part_].work;
+    ++efforts->by_part[before_].work;
     if (before_ == extractor && event.kind == Event::Kind::run)
-      efforts->of[extractor].work += event.run.length();
+      efforts->by_part[extractor].work += event.run.length();
     const Running running_part(part_);
     return next_.accept(event);
   }
   SinkResult accept_region(const OneRingRegion& region) {
-    efforts->of[part_].work += 3 + region.corner_count();
-    efforts->of[before_].work += 3 + region.corner_count();
+    efforts->by_part[part_].work += 3 + region.corner_count();
+    efforts->by_part[before_].work += 3 + region.corner_count();
     for (uint32_t i = 0; i < region.corner_count(); ++i)
-      efforts->of[before_].work += region.run(i).length();
+      efforts->by_part[before_].work += region.run(i).length();
     const Running running_part(part_);
     return next_.accept_region(region);
   }
@@ -93,7 +93,7 @@ class Joined {
       : end_(nowhere_, tests, joiner), begin_(joiner_, joiner, before) {
     memory_.resize(1000 + 256 * scanned.vertices);
     require_ok(joiner_.start(memory_of(memory_), make_sink(end_), order));
-    efforts->of[joiner].work += joiner_.capacities().fragments / 3;
+    efforts->by_part[joiner].work += joiner_.capacities().fragments / 3;
   }
   Sink sink() { return make_sink(begin_); }
   void finish() {
@@ -130,8 +130,8 @@ class Streamed {
 
  private:
   size_t decode(const uint8_t* bytes, size_t count) {
-    efforts->of[encoder].work += count;
-    efforts->of[decoder].work += count;
+    efforts->by_part[encoder].work += count;
+    efforts->by_part[decoder].work += count;
     const Running part(decoder);
     const Decoded decoded = decoder_.push(bytes, count);
     require_ok(decoded.status);
@@ -165,7 +165,7 @@ struct Scan {
       for (uint32_t y = 0; y < volume.height; ++y)
         require_ok(scanner.push(&volume.on[volume.index(0, y, z)], volume.width).status);
     require_ok(scanner.finish());
-    efforts->of[extractor].work += size_t{end - first} * volume.height * volume.width;
+    efforts->by_part[extractor].work += size_t{end - first} * volume.height * volume.width;
   }
 
   using Index = std::conditional_t<std::is_same_v<Scanner, Extractor16>, uint16_t, uint32_t>;
@@ -214,8 +214,8 @@ class Sliced {
     for (size_t voxel = 0; voxel < volume.voxels(); voxel += volume.width)
       require_ok(encoder_.push(&volume.on[voxel], volume.width).status);
     require_ok(encoder_.finish());
-    efforts->of[encoder].work += volume.voxels();
-    efforts->of[decoder].work += volume.voxels();
+    efforts->by_part[encoder].work += volume.voxels();
+    efforts->by_part[decoder].work += volume.voxels();
   }
 
  private:
@@ -224,8 +224,8 @@ class Sliced {
   };
   ByteOutput output() {
     return {this, [](void* context, const uint8_t* bytes, size_t count) {
-              efforts->of[encoder].work += count;
-              efforts->of[decoder].work += count;
+              efforts->by_part[encoder].work += count;
+              efforts->by_part[decoder].work += count;
               const Running part(decoder);
               const Decoded decoded = static_cast<Sliced*>(context)->decoder_.push(bytes, count);
               require_ok(decoded.status);
@@ -290,5 +290,5 @@ Efforts run(const Pipeline& pipeline, const BitVolume& volume) {
 extern "C" void __sanitizer_cov_trace_pc();  // NOLINT(bugprone-reserved-identifier)
 void __sanitizer_cov_trace_pc() {            // NOLINT(bugprone-reserved-identifier)
   using namespace discmc::doubling;
-  if (efforts != nullptr) ++efforts->of[running].blocks;
+  if (efforts != nullptr) ++efforts->by_part[running].blocks;
 }

@@ -16,7 +16,7 @@ struct Effort {
   uint64_t blocks = 0;  ///< executed basic blocks
 };
 struct Efforts {
-  Effort of[parts];
+  Effort by_part[parts];
 };
 
 struct Scanned;

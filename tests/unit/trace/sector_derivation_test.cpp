@@ -29,8 +29,8 @@ TEST_CASE("the sector table derived at run time has the right sectors") {
 TEST_CASE("row lines derived at run time equal those of the compiler") {
   LineBits bits{};
   bits = derive::line_bits(6, 8, 2);
-  for (int row = 0; row < 8; ++row) CHECK(bits.of[row] == lines_of_y[1].of[row]);
-  CHECK(bits.of[7] == (1 << 12 | 1 << 4));
+  for (int row = 0; row < 8; ++row) CHECK(bits.by_row[row] == lines_of_y[1].by_row[row]);
+  CHECK(bits.by_row[7] == (1 << 12 | 1 << 4));
 }
 
 TEST_CASE("link steps derived at run time equal those of the compiler") {

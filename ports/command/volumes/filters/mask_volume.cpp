@@ -25,14 +25,15 @@ class Mask final : public VolumeFilter {
   }
 
   void read_slice(void* samples) override {
-    const VolumeInfo& of = volume().info();
+    const VolumeInfo& source = volume().info();
     volume().read_slice(slice_.data());
-    with_sample_type(of.type, [&](auto typed) {
+    with_sample_type(source.type, [&](auto typed) {
       using Sample = decltype(typed);
       const auto* const first = reinterpret_cast<const Sample*>(slice_.data());
       std::transform(first, first + slice_.size() / sizeof(Sample),
-                     static_cast<std::uint8_t*>(samples), [&of](Sample sample) {
-                       const double value = of.slope * static_cast<double>(sample) + of.intercept;
+                     static_cast<std::uint8_t*>(samples), [&source](Sample sample) {
+                       const double value =
+                           source.slope * static_cast<double>(sample) + source.intercept;
                        return static_cast<std::uint8_t>(value < 0 || value > 0 ? 1 : 0);
                      });
     });

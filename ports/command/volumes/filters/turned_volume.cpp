@@ -105,9 +105,9 @@ class TurnedVolume final : public VolumeFilter {
 
 class VolumeTurnedTo final : public VolumeFilter {
  public:
-  VolumeTurnedTo(const AxesMatch& match, std::unique_ptr<VolumeReader> of,
+  VolumeTurnedTo(const AxesMatch& match, std::unique_ptr<VolumeReader> reader,
                  std::filesystem::path file)
-      : VolumeFilter(std::move(of)),
+      : VolumeFilter(std::move(reader)),
         file_(std::move(file)),
         is_slice_by_slice_(match[2].axis == 2 && !match[2].is_reversed) {
     const VolumeInfo& from = volume().info();
@@ -157,11 +157,11 @@ class VolumeTurnedTo final : public VolumeFilter {
 
  private:
   void read_slices() {
-    const VolumeInfo& of = volume().info();
-    const std::uint32_t count = is_slice_by_slice_ ? 1 : of.dims[2];
+    const VolumeInfo& stored = volume().info();
+    const std::uint32_t count = is_slice_by_slice_ ? 1 : stored.dims[2];
     for (std::uint32_t z = 0; z < count; ++z) {
-      slices_.resize(of.slice_bytes() * (z + 1));  // grows with the slices that arrive
-      volume().read_slice(&slices_[of.slice_bytes() * z]);
+      slices_.resize(stored.slice_bytes() * (z + 1));  // grows with the slices that arrive
+      volume().read_slice(&slices_[stored.slice_bytes() * z]);
     }
   }
 

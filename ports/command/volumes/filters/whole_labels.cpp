@@ -23,16 +23,16 @@ class WholeLabels final : public VolumeFilter {
   }
 
   void read_slice(void* samples) override {
-    const VolumeInfo& of = volume().info();
+    const VolumeInfo& source = volume().info();
     volume().read_slice(slice_.data());
-    with_sample_type(of.type, [&](auto typed) {
+    with_sample_type(source.type, [&](auto typed) {
       using Sample = decltype(typed);
       const auto* const sample = reinterpret_cast<const Sample*>(slice_.data());
       auto* const label = static_cast<std::int64_t*>(samples);
       for (std::size_t i = 0; i < slice_.size() / sizeof(Sample); ++i)
         label[i] = i > 0 && sample[i] == sample[i - 1]
                        ? counted_again(label[i - 1])
-                       : label_of(of.slope * static_cast<double>(sample[i]) + of.intercept);
+                       : label_of(source.slope * static_cast<double>(sample[i]) + source.intercept);
     });
     end_slice();
   }

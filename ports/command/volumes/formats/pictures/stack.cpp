@@ -113,7 +113,7 @@ class StackBuilder {
   StackBuilder(const std::filesystem::path& source, const VolumeOptions& options, VolumeInfo& info)
       : source_(source), options_(options), info_(info) {}
 
-  Stack of(const Files& files) {
+  Stack build(const Files& files) {
     for (const auto& file : files) {
       const auto opened = open_picture(file);
       const auto described = opened->hyperstacks(options_.axes);
@@ -149,7 +149,7 @@ class StackBuilder {
                  std::uint64_t frame) {
     Headers headers(file, opened);
     const Page any = pages_of(file, stack, 0, frame)[0];
-    const PictureHeader header = headers.of(stack.files[any.file], any.number);
+    const PictureHeader header = headers.header(stack.files[any.file], any.number);
     require_possible(
         file, "a picture",
         std::uint64_t{header.width} * header.height * header.channels * sample_bytes(header.type));
@@ -158,7 +158,7 @@ class StackBuilder {
     const auto first = static_cast<std::uint32_t>(stack_.files.size());
     stack_.files.insert(stack_.files.end(), stack.files.begin(), stack.files.end());
     for (Page page : pages_of(file, stack, options_.channel.value_or(0) / header.channels, frame)) {
-      const PictureHeader of_page = headers.of(stack.files[page.file], page.number);
+      const PictureHeader of_page = headers.header(stack.files[page.file], page.number);
       page.file += first;
       stack_.pages.push_back(page);
       Alike(stack_, options_).require(of_page, page);
@@ -171,7 +171,7 @@ class StackBuilder {
     Headers(const std::filesystem::path& file, PictureFile& opened)
         : file_(file), opened_(opened) {}
 
-    PictureHeader of(const std::filesystem::path& file, std::uint32_t page) {
+    PictureHeader header(const std::filesystem::path& file, std::uint32_t page) {
       if (file == file_) return opened_.header(page);
       if (!other_ || file != other_file_) other_ = open_picture(file);
       other_file_ = file;
@@ -220,7 +220,7 @@ class StackBuilder {
 
 Stack stack_of(const std::filesystem::path& source, const Files& files,
                const VolumeOptions& options, VolumeInfo& info) {
-  return StackBuilder(source, options, info).of(files);
+  return StackBuilder(source, options, info).build(files);
 }
 
 }  // namespace discmc::command
