@@ -87,9 +87,9 @@ class SharedOutput {
   /// unless the link is dead.
   [[nodiscard]] Status flush() {
     while (sent_ < held_) {
-      const size_t taken = output_.write(output_.context, frame_ + sent_, held_ - sent_);
-      if (taken == 0) return Status::suspended;
-      sent_ += taken;
+      const size_t written = output_.write(output_.context, frame_ + sent_, held_ - sent_);
+      if (written == 0) return Status::suspended;
+      sent_ += written;
     }
     return Status::ok;
   }

@@ -60,10 +60,10 @@ class SampleWindow {
     if (width_ == 0) return Status::not_started;
     if (is_ended_) return Status::finished;
     for (uint32_t done = 0; done < count;) {
-      const uint32_t taken = samples_of_row(count - done, rows_.column(), width_);
-      rows_.append(samples + size_t{done} * stride, taken, stride);
+      const uint32_t row_samples = samples_of_row(count - done, rows_.column(), width_);
+      rows_.append(samples + size_t{done} * stride, row_samples, stride);
       if (rows_.is_row_complete()) rows_.next_row();
-      done += taken;
+      done += row_samples;
     }
     return Status::ok;
   }

@@ -36,13 +36,13 @@ class SurfaceGroup {
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     PushResult result{resume(), 0};
     while (result.status == Status::ok && result.samples < count) {
-      const uint32_t taken = samples_of_row(count - result.samples, column_, width_);
+      const uint32_t row_samples = samples_of_row(count - result.samples, column_, width_);
       const Sample* const next = samples + size_t{result.samples} * stride;
-      result.status =
-          for_each([&](Scanner& scanner) { return scanner.push(next, taken, stride).status; });
+      result.status = for_each(
+          [&](Scanner& scanner) { return scanner.push(next, row_samples, stride).status; });
       if (is_error(result.status)) break;
-      result.samples += taken;
-      column_ += taken;
+      result.samples += row_samples;
+      column_ += row_samples;
       if (column_ == width_) column_ = 0;
     }
     return result;

@@ -18,13 +18,13 @@ uint8_t* write_word(uint32_t word, uint32_t count, uint8_t* bits) {
 template <class Sample>
 uint32_t word_of(const detail::trace::Threshold<Sample>& on, const Sample* samples, uint32_t count,
                  uint32_t stride) {
-  uint32_t word = 0, taken = 0;
+  uint32_t word = 0, compared = 0;
   if (stride == 1 && on.reads_words(samples)) {
-    taken = count / on.lanes * on.lanes;
-    word = on.words_reached(samples, taken);
+    compared = count / on.lanes * on.lanes;
+    word = on.words_reached(samples, compared);
   }
-  for (; taken < count; ++taken)
-    word |= static_cast<uint32_t>(on.reached(samples[size_t{taken} * stride])) << taken;
+  for (; compared < count; ++compared)
+    word |= static_cast<uint32_t>(on.reached(samples[size_t{compared} * stride])) << compared;
   return word;
 }
 
@@ -39,16 +39,16 @@ void threshold_row(const Sample* samples, uint32_t count, int32_t threshold, uin
   bool may_be_off = true;
   while (count > 0) {
     uint32_t off = may_be_off && reads_words ? on.leading_off(samples, count) / word_bits : 0;
-    uint32_t taken = off * word_bits;
+    uint32_t written = off * word_bits;
     for (; off > 0; --off) bits = write_word(0, word_bits, bits);
-    if (taken == 0) {
-      taken = count < word_bits ? count : word_bits;
-      const uint32_t word = word_of(on, samples, taken, stride);
+    if (written == 0) {
+      written = count < word_bits ? count : word_bits;
+      const uint32_t word = word_of(on, samples, written, stride);
       may_be_off = word == 0;
-      bits = write_word(word, taken, bits);
+      bits = write_word(word, written, bits);
     }
-    count -= taken;
-    if (count > 0) samples += size_t{taken} * stride;
+    count -= written;
+    if (count > 0) samples += size_t{written} * stride;
   }
 }
 
@@ -56,12 +56,12 @@ template <class Sample>
 void threshold_row_less(const Sample* samples, const int16_t* offsets, uint32_t count,
                         int32_t threshold, uint8_t* bits) {
   while (count > 0) {
-    const uint32_t taken = count < word_bits ? count : word_bits;
+    const uint32_t written = count < word_bits ? count : word_bits;
     uint32_t word = 0;
-    for (uint32_t i = 0; i < taken; ++i)
+    for (uint32_t i = 0; i < written; ++i)
       word |= static_cast<uint32_t>(*samples++ - *offsets++ >= threshold) << i;
-    bits = write_word(word, taken, bits);
-    count -= taken;
+    bits = write_word(word, written, bits);
+    count -= written;
   }
 }
 

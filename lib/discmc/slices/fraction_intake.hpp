@@ -84,14 +84,14 @@ class FractionIntake {
     const trace::Threshold<Sample> far(threshold_ - (int32_t{1} << far_width >> 1));
     while (count > 0) {
       const uint32_t to_next = far.block - column % far.block;
-      const uint32_t taken = count < to_next ? count : to_next;
+      const uint32_t part_count = count < to_next ? count : to_next;
       const Sample* const part = samples_ + column;
-      if (taken == far.block && far.reads_words(part) && far.is_block_off(part))
+      if (part_count == far.block && far.reads_words(part) && far.is_block_off(part))
         fill_widths(column, far_width);
       else
-        keep_widths(column, taken);
-      column += taken;
-      count -= taken;
+        keep_widths(column, part_count);
+      column += part_count;
+      count -= part_count;
     }
   }
 

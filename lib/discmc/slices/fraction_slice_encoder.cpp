@@ -52,11 +52,12 @@ Status FractionSliceEncoder<Sample>::restore(Memory memory, const ByteOutput& ou
 template <class Sample>
 PushResult FractionSliceEncoder<Sample>::push(const Sample* samples, uint32_t count,
                                               uint32_t stride) {
-  return push_parts(samples, count, stride, [this, stride](const Sample* part, uint32_t taken) {
-    const uint32_t first = column();
-    append(part, taken, stride);
-    process(part, first, taken, stride);
-  });
+  return push_parts(samples, count, stride,
+                    [this, stride](const Sample* part, uint32_t part_count) {
+                      const uint32_t first = column();
+                      append(part, part_count, stride);
+                      process(part, first, part_count, stride);
+                    });
 }
 
 // Finds the fractions of the samples appended from this column on.

@@ -68,9 +68,10 @@ Status SliceEncoder::ready_for_row() {
 
 template <class Sample>
 PushResult SliceEncoder::push_samples(const Sample* samples, uint32_t count, uint32_t stride) {
-  return push_parts(samples, count, stride, [this, stride](const Sample* part, uint32_t taken) {
-    append(part, taken, stride);
-  });
+  return push_parts(samples, count, stride,
+                    [this, stride](const Sample* part, uint32_t part_count) {
+                      append(part, part_count, stride);
+                    });
 }
 
 template PushResult SliceEncoder::push_samples(const uint8_t*, uint32_t, uint32_t);

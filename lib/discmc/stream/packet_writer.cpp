@@ -108,12 +108,12 @@ void PacketWriter::seal_appended(const RecordsPacket& packet) {
 bool PacketWriter::drain() {
   while (frame_bytes_ > 0) {
     const size_t left = static_cast<size_t>(frame_bytes_ - drained_);
-    const size_t taken = output_.write(output_.context, frame_ + drained_, left);
-    bytes_ += taken;
-    if (taken == 0) return false;
+    const size_t written = output_.write(output_.context, frame_ + drained_, left);
+    bytes_ += written;
+    if (written == 0) return false;
     is_cut_ = false;
-    drained_ = static_cast<uint16_t>(drained_ + taken);
-    if (taken < left) continue;
+    drained_ = static_cast<uint16_t>(drained_ + written);
+    if (written < left) continue;
     frame_bytes_ = 0;
     if (packets_since_header_ >= detail::wire::header_interval && is_under_way_) seal_header();
   }

@@ -79,11 +79,11 @@ class RangeEncoder {
   size_t final_bytes() const { return count_; }
   /// Continues in another buffer after the final bytes. Returns their number.
   size_t continue_in(uint8_t* buffer, size_t capacity) {
-    const size_t taken = count_;
+    const size_t final_count = count_;
     count_ = 0;
     buffer_ = buffer;
     capacity_ = static_cast<uint16_t>(capacity);
-    return taken;
+    return final_count;
   }
 
   /// The number of bytes after finish(). More than the capacity means that bits were lost.

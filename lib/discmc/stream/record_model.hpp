@@ -237,9 +237,9 @@ template <class Coder>
 uint32_t RecordModel<Coder>::raw_bits(uint32_t bits, uint32_t value) {
   uint32_t coded = 0;
   while (bits > 0) {
-    const uint32_t taken = bits < 8 ? bits : 8;
-    bits -= taken;
-    coded = coded << taken | coder_.raw_bits(taken, value >> bits);
+    const uint32_t part_bits = bits < 8 ? bits : 8;
+    bits -= part_bits;
+    coded = coded << part_bits | coder_.raw_bits(part_bits, value >> bits);
   }
   if constexpr (Coder::writes) return value;
   return coded;

@@ -76,24 +76,24 @@ void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int
   // A whole group that is off is unlikely after samples that were on.
   bool may_be_off = true;
   while (count > 0) {
-    uint32_t taken = 0;
+    uint32_t placed = 0;
     uint32_t bits = 0;
     if (stride == 1 && count >= on.lanes && on.reads_words(samples)) {
-      if (may_be_off) taken = on.leading_off(samples, count);
-      if (taken == 0) {
-        taken = (count < max_placed ? count : max_placed) / on.lanes * on.lanes;
-        bits = on.words_reached(samples, taken);
+      if (may_be_off) placed = on.leading_off(samples, count);
+      if (placed == 0) {
+        placed = (count < max_placed ? count : max_placed) / on.lanes * on.lanes;
+        bits = on.words_reached(samples, placed);
         may_be_off = bits == 0;
       }
     } else {
-      const uint32_t max_taken = stride == 1 ? on.samples_to_word(samples) : max_placed;
-      for (; taken < max_taken && taken < count; ++taken)
-        bits |= static_cast<uint32_t>(on.reached(samples[size_t{taken} * stride])) << taken;
+      const uint32_t to_word = stride == 1 ? on.samples_to_word(samples) : max_placed;
+      for (; placed < to_word && placed < count; ++placed)
+        bits |= static_cast<uint32_t>(on.reached(samples[size_t{placed} * stride])) << placed;
     }
     if (bits != 0) turn_on(words, bits);
-    column_ += taken;
-    count -= taken;
-    if (count > 0) samples += size_t{taken} * stride;
+    column_ += placed;
+    count -= placed;
+    if (count > 0) samples += size_t{placed} * stride;
   }
 }
 

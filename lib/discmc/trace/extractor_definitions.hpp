@@ -108,10 +108,11 @@ PushResult BasicExtractor<Index, Intake, Sweep>::push_samples(const Sample* samp
                                                               uint32_t stride) {
   PushResult result{ready_for_samples(), 0};
   while (result.status == Status::ok && result.samples < count) {
-    const uint32_t taken = samples_of_row(count - result.samples, intake_.column(bits_), width_);
-    note_origin(intake_.append(bits_, samples + size_t{result.samples} * stride, taken, stride,
-                               threshold_));
-    result.samples += taken;
+    const uint32_t row_samples =
+        samples_of_row(count - result.samples, intake_.column(bits_), width_);
+    note_origin(intake_.append(bits_, samples + size_t{result.samples} * stride, row_samples,
+                               stride, threshold_));
+    result.samples += row_samples;
     const bool is_last = result.samples == count;
     result.status = is_last ? resume() : ready_for_samples();
   }

@@ -90,14 +90,14 @@ std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>&
   if (!pattern.has_name()) return std::vector<std::string>(selections.size(), arguments_.output);
   std::vector<std::string> names;
   const bool is_obj = format_of(arguments_.output) == Format::obj;
-  std::set<std::string> taken;  // material files need distinct names, too
+  std::set<std::string> used_names;  // material files need distinct names, too
   for (const NamedSelection& each : selections) {
     std::string addition;
     const auto key = [&] {
       const std::string name = pattern.file_for(each.name, addition);
       return is_obj ? material_file(name).string() : name;
     };
-    while (!taken.insert(key()).second) addition += "-" + each.given;
+    while (!used_names.insert(key()).second) addition += "-" + each.given;
     names.push_back(pattern.file_for(each.name, addition));
   }
   return names;

@@ -26,9 +26,9 @@ constexpr int too_large = 431;
 // Removes and returns the text before a separator, and removes the separator.
 std::string_view next_part(std::string_view& text, std::string_view separator) {
   const std::size_t end = text.find(separator);
-  const std::string_view taken = text.substr(0, end);
+  const std::string_view part = text.substr(0, end);
   text.remove_prefix(end == std::string_view::npos ? text.size() : end + separator.size());
-  return taken;
+  return part;
 }
 
 HttpRequest refused(int status) {

@@ -38,16 +38,16 @@ class Gzip : public std::streambuf {
 
  protected:
   std::streamsize xsputn(const char* bytes, std::streamsize count) override {
-    std::streamsize taken = 0;
-    while (taken < count) {
+    std::streamsize written = 0;
+    while (written < count) {
       const std::streamsize part =
-          std::min<std::streamsize>(count - taken, std::numeric_limits<int>::max());
-      stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes + taken));
+          std::min<std::streamsize>(count - written, std::numeric_limits<int>::max());
+      stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes + written));
       stream_.avail_in = static_cast<uInt>(part);
-      if (!deflate(Z_NO_FLUSH)) return taken;
-      taken += part;
+      if (!deflate(Z_NO_FLUSH)) return written;
+      written += part;
     }
-    return taken;
+    return written;
   }
 
  private:

@@ -89,11 +89,11 @@ std::uint64_t ByteSource::skip(std::uint64_t count) {
 std::size_t PartwiseSource::read(void* bytes, std::size_t count) {
   std::size_t done = 0;
   while (done < count && (left_ > 0 || next_part())) {
-    const std::size_t taken = std::min(count - done, left_);
-    std::memcpy(static_cast<char*>(bytes) + done, part_, taken);
-    part_ += taken;
-    left_ -= taken;
-    done += taken;
+    const std::size_t copied = std::min(count - done, left_);
+    std::memcpy(static_cast<char*>(bytes) + done, part_, copied);
+    part_ += copied;
+    left_ -= copied;
+    done += copied;
   }
   return done;
 }

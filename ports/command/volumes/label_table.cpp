@@ -160,7 +160,7 @@ LabelTable read_label_table(const std::string& file) {
   in.clear();
   in.seekg(0);
   LabelTable table;
-  std::set<LabelValue> taken;
+  std::set<LabelValue> used_values;
   Reader reader;
   bool is_first = true;
   std::size_t number = 0;
@@ -178,7 +178,7 @@ LabelTable read_label_table(const std::string& file) {
       fail(file, "line " + std::to_string(number) + " is " + shown(line),
            "give a whole number, a name of one word or in quotes, and red, green and blue from 0 "
            "to 255");
-    if (!taken.insert(read->values[0]).second)
+    if (!used_values.insert(read->values[0]).second)
       fail(file, "label " + read->values[0].text() + " is given twice",
            "delete line " + std::to_string(number));
     table.push_back(*std::move(read));

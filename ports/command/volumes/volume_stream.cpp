@@ -88,23 +88,24 @@ std::string_view ByteStream::peek(std::size_t count) {
 }
 
 std::size_t ByteStream::read_ahead(void* bytes, std::size_t count) {
-  const std::size_t taken = std::min(count, ahead());
-  if (bytes != nullptr) std::memcpy(bytes, ahead_.data() + ahead_begin_, taken);
-  ahead_begin_ += taken;
-  position_ += taken;
+  const std::size_t ahead_bytes = std::min(count, ahead());
+  if (bytes != nullptr) std::memcpy(bytes, ahead_.data() + ahead_begin_, ahead_bytes);
+  ahead_begin_ += ahead_bytes;
+  position_ += ahead_bytes;
   if (ahead() == 0) {
     std::string().swap(ahead_);
     ahead_begin_ = 0;
   }
-  return taken;
+  return ahead_bytes;
 }
 
 std::size_t ByteStream::read(void* bytes, std::size_t count) {
-  const std::size_t taken = read_ahead(bytes, count);
-  if (taken == count) return count;
-  const std::size_t got = source_->read(static_cast<char*>(bytes) + taken, count - taken);
+  const std::size_t ahead_bytes = read_ahead(bytes, count);
+  if (ahead_bytes == count) return count;
+  const std::size_t got =
+      source_->read(static_cast<char*>(bytes) + ahead_bytes, count - ahead_bytes);
   position_ += got;
-  return taken + got;
+  return ahead_bytes + got;
 }
 
 std::optional<std::string> ByteStream::read_line() {
@@ -131,10 +132,10 @@ std::optional<std::string> ByteStream::read_line() {
 }
 
 std::uint64_t ByteStream::drop(std::uint64_t count) {
-  const std::size_t taken = read_ahead(nullptr, std::min<std::uint64_t>(count, ahead()));
-  const std::uint64_t skipped = source_->skip(count - taken);
+  const std::size_t ahead_bytes = read_ahead(nullptr, std::min<std::uint64_t>(count, ahead()));
+  const std::uint64_t skipped = source_->skip(count - ahead_bytes);
   position_ += skipped;
-  return taken + skipped;
+  return ahead_bytes + skipped;
 }
 
 void ByteStream::skip(std::uint64_t count) {

@@ -32,15 +32,15 @@ class FileRows final : public RowSource {
 
   bool read(std::uint32_t number, std::vector<std::uint8_t>& row) override {
     const std::uint64_t begin = is_numbered_ ? std::uint64_t{number} * row.size() : 0;
-    std::size_t taken = 0;
-    while (taken < row.size() && !stop_signal::came()) {
-      const ssize_t count = read_some(&row[taken], row.size() - taken, begin + taken);
+    std::size_t filled = 0;
+    while (filled < row.size() && !stop_signal::came()) {
+      const ssize_t count = read_some(&row[filled], row.size() - filled, begin + filled);
       if (count == 0) return false;
-      if (count > 0) taken += static_cast<std::size_t>(count);
+      if (count > 0) filled += static_cast<std::size_t>(count);
       if (count < 0 && errno != EINTR)
         throw DeviceGone(path_ + ": the rows cannot be read: " + std::strerror(errno));
     }
-    return taken == row.size();
+    return filled == row.size();
   }
 
  private:

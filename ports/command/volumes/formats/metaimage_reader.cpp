@@ -134,10 +134,10 @@ std::string orientation_of(const Axes& axes) {
 
 void note_orientation(VolumeInfo& info, std::string_view letters) {
   if (letters.empty() || letters.find('?') != std::string_view::npos || !info.placement) return;
-  const std::string taken = orientation_of(info.placement->axes_mm);
-  if (letters != taken)
+  const std::string matrix_letters = orientation_of(info.placement->axes_mm);
+  if (letters != matrix_letters)
     note(info, "AnatomicalOrientation " + shown(letters) +
-                   " is ignored; by the TransformMatrix it is '" + taken + "'");
+                   " is ignored; by the TransformMatrix it is '" + matrix_letters + "'");
 }
 
 // Returns one row of length 1 per axis, or nothing if the numbers are not a matrix of the axes.

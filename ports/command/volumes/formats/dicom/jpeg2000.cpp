@@ -16,11 +16,11 @@ struct Input {
 
 OPJ_SIZE_T read(void* buffer, OPJ_SIZE_T count, void* user) {
   auto& input = *static_cast<Input*>(user);
-  const std::size_t taken = std::min<std::size_t>(count, input.bytes.size() - input.at);
-  if (taken == 0) return static_cast<OPJ_SIZE_T>(-1);
-  std::memcpy(buffer, input.bytes.data() + input.at, taken);
-  input.at += taken;
-  return taken;
+  const std::size_t copied = std::min<std::size_t>(count, input.bytes.size() - input.at);
+  if (copied == 0) return static_cast<OPJ_SIZE_T>(-1);
+  std::memcpy(buffer, input.bytes.data() + input.at, copied);
+  input.at += copied;
+  return copied;
 }
 
 OPJ_OFF_T skip(OPJ_OFF_T count, void* user) {

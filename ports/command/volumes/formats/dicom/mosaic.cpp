@@ -27,9 +27,9 @@ class ByteParser {
 
   std::optional<std::string_view> bytes(std::size_t count) {
     if (count > left_.size()) return std::nullopt;
-    const std::string_view taken = left_.substr(0, count);
+    const std::string_view front = left_.substr(0, count);
     left_.remove_prefix(count);
-    return taken;
+    return front;
   }
 
   std::optional<std::uint32_t> number() {

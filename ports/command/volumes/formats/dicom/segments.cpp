@@ -101,13 +101,13 @@ std::map<std::uint32_t, std::uint32_t> Overlaps::layers(
     const std::set<std::uint32_t>& segments) const {
   std::map<std::uint32_t, std::uint32_t> layers;
   for (const std::uint32_t segment : segments) {
-    std::set<std::uint32_t> taken;
+    std::set<std::uint32_t> neighbour_layers;
     if (const auto found = neighbours_.find(segment); found != neighbours_.end())
       for (const std::uint32_t other : found->second)
         if (const auto layer = layers.find(other); layer != layers.end())
-          taken.insert(layer->second);
+          neighbour_layers.insert(layer->second);
     std::uint32_t layer = 0;
-    while (taken.count(layer) > 0) ++layer;
+    while (neighbour_layers.count(layer) > 0) ++layer;
     layers[segment] = layer;
   }
   return layers;

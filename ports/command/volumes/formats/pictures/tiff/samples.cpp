@@ -32,9 +32,9 @@ void convert(const TiffPage& page, std::uint32_t channel, unsigned char* stored,
                   samples + y * of_row);
     return;
   }
-  unsigned char* const taken = is_half(page) ? stored : samples;
+  unsigned char* const channel_samples = is_half(page) ? stored : samples;
   if (page.samples_of_pixel() > 1)
-    copy_channel(stored, pixels, page.bits / 8, page.samples, channel, taken);
+    copy_channel(stored, pixels, page.bits / 8, page.samples, channel, channel_samples);
   if (is_half(page)) widen_halves(stored, pixels, samples);
 }
 
