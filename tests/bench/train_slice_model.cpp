@@ -79,13 +79,14 @@ bool read_stream(const char* path, RowCollector& collector, discmc::Limits& limi
   const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
   discmc::SliceDecoder decoder;
   if (decoder.start({}, discmc::make_row_sink(collector)) != discmc::Status::ok) return false;
-  const size_t taken = decoder.push(bytes.data(), bytes.size()).bytes;
+  const size_t header_bytes = decoder.push(bytes.data(), bytes.size()).bytes;
   limits = {decoder.header().width, decoder.header().height};
   if (!limits.is_valid()) return false;
   std::vector<uint8_t> memory(discmc::SliceDecoder::minimum_bytes(limits));
   collector.row_bytes = (limits.width + 7) / 8;
   return decoder.set_memory({memory.data(), memory.size()}) == discmc::Status::ok &&
-         decoder.push(bytes.data() + taken, bytes.size() - taken).status == discmc::Status::ok &&
+         decoder.push(bytes.data() + header_bytes, bytes.size() - header_bytes).status ==
+             discmc::Status::ok &&
          decoder.report().is_complete();
 }
 

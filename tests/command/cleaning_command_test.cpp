@@ -31,11 +31,11 @@ TEST_CASE_FIXTURE(Boxes, "the largest bodies are kept, in meshes of volumes and 
     const auto decoded = run("decode v.dmc " + options + " -o decoded.jsonl");
     CHECK(decoded.code == 0);
     CHECK(lines_in(read("kept.jsonl")) == lines_in(read("decoded.jsonl")));
-    const std::string told = "v.raw: ";
+    const std::string source = "v.raw: ";
     CHECK(result.error.empty() == decoded.error.empty());
     if (result.error.empty()) return result.error;
-    CHECK(contains(result.error, told));
-    CHECK(contains(decoded.error, result.error.substr(result.error.find(told) + told.size())));
+    CHECK(contains(result.error, source));
+    CHECK(contains(decoded.error, result.error.substr(result.error.find(source) + source.size())));
     return result.error;
   };
   constexpr std::size_t of_box = 26, of_voxel = 8;

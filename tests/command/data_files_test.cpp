@@ -50,12 +50,12 @@ TEST_CASE_FIXTURE(Folder, "each of several files has an equal share, in the enco
 }
 
 TEST_CASE_FIXTURE(Folder, "names of data files may have blanks, percent signs and backslashes") {
-  const auto check = [&](const std::string& written, const std::string& told) {
-    INFO(told);
+  const auto check = [&](const std::string& written, const std::string& file_list) {
+    INFO(file_list);
     write(written, i16);
-    check_volume(write("v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + told + "\n")),
+    check_volume(write("v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + file_list + "\n")),
                  SampleType::i16, "MetaImage, raw, detached");
-    check_volume(write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + told + "\n")),
+    check_volume(write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + file_list + "\n")),
                  SampleType::i16, "NRRD, raw, detached");
   };
   check("best diastole 77 %.raw", "best diastole 77 %.raw");
@@ -71,10 +71,10 @@ TEST_CASE_FIXTURE(Folder, "names that leave the header's folder are refused, lin
         std::string("./../sub/../outside1.raw")}) {
     CAPTURE(name);
     const std::string pattern = name.substr(0, name.size() - 5) + "%d.raw 1 1 1";
-    for (const std::string& told : {name, pattern, "LIST\n" + name}) {
+    for (const std::string& file_list : {name, pattern, "LIST\n" + name}) {
       for (const fs::path& file :
-           {write("sub/v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + told + "\n")),
-            write("sub/v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + told + "\n"))})
+           {write("sub/v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + file_list + "\n")),
+            write("sub/v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + file_list + "\n"))})
         check_refused(file, name + "', which lies outside of its folder; put that or a link");
     }
   }

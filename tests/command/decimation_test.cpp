@@ -245,8 +245,8 @@ TEST_CASE_FIXTURE(Workshop, "--triangles and --max-error write decimated meshes"
   for (const int sample : ball(40, 16, 4).samples) bytes += static_cast<char>(sample);
   write("v.raw", bytes);
   const std::string extract = "extract v.raw --dims 40,40,40 --spacing 1,1,1 --type u8 --iso 50 ";
-  const std::string told = done(extract + "--triangles 1000 --normals gradient -o v.ply");
-  CHECK(contains(told, "closed                               yes"));
+  const std::string output = done(extract + "--triangles 1000 --normals gradient -o v.ply");
+  CHECK(contains(output, "closed                               yes"));
   const FileMesh mesh = mesh_in("v.ply");
   CHECK(mesh.face_count() <= 1000);
   CHECK(check_mesh(mesh).is_closed());

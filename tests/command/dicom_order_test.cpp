@@ -426,15 +426,16 @@ TEST_CASE("files whose names begin with a dot are ignored") {
 }
 
 TEST_CASE_FIXTURE(Dicom, "padding is reported as a value, with sign or without") {
-  const auto told = [&](Dataset data) {
+  const auto padding_of = [&](Dataset data) {
     data.text(0x00281052, "DS", "-1024").text(0x00281053, "DS", "2");
     return read_info(put(data)).padding;
   };
-  CHECK(!told(frames()));
+  CHECK(!padding_of(frames()));
   Dataset data = frames();
-  CHECK(told(data.bytes(0x00280120, "SS", number_bytes(63536, 2, Order::little_endian))) == -5024);
-  CHECK(told(data.whole(0x00280120, {63536})) == -5024);
-  CHECK(told(data.samples(volume_values(), 16, false).whole(0x00280120, {63536})) == 126048);
+  CHECK(padding_of(data.bytes(0x00280120, "SS", number_bytes(63536, 2, Order::little_endian))) ==
+        -5024);
+  CHECK(padding_of(data.whole(0x00280120, {63536})) == -5024);
+  CHECK(padding_of(data.samples(volume_values(), 16, false).whole(0x00280120, {63536})) == 126048);
 }
 
 }  // namespace

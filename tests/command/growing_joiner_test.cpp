@@ -32,12 +32,12 @@ std::vector<discmc::reference::Region> regions_of(const Events& events) {
 
 TEST_CASE("a growing joiner joins all regions from any first memory") {
   const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
-  const Events told = pieces();
-  REQUIRE(count(told, Event::Kind::fragment) > 1000);
+  const Events sent_pieces = pieces();
+  REQUIRE(count(sent_pieces, Event::Kind::fragment) > 1000);
   const auto whole = regions_of(discmc::test::events_of(volume));
   for (const std::uint64_t bytes : {discmc::Joiner::minimum_bytes(), std::uint64_t{1000},
                                     std::uint64_t{30000}, GrowingJoiner::first_bytes}) {
-    const Events events = joined(told, bytes);
+    const Events events = joined(sent_pieces, bytes);
     CHECK(count(events, Event::Kind::fragment) == 0);
     CHECK(count(events, Event::Kind::finish) == 1);
     CHECK(regions_of(events) == whole);

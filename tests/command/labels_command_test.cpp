@@ -42,14 +42,14 @@ struct LabelVolume : Workshop {
 
 TEST_CASE_FIXTURE(LabelVolume, "all labels are as many meshes, as if each were asked for alone") {
   REQUIRE(shell("mkdir out").code == 0);
-  const std::string told = done(extract + "--labels all -o 'out/{name}.stl'");
+  const std::string output = done(extract + "--labels all -o 'out/{name}.stl'");
   for (const std::string label : {"1", "2", "9"}) {
-    CHECK(contains(told, "  out/" + label + ".stl\n"));
+    CHECK(contains(output, "  out/" + label + ".stl\n"));
     done(extract + "--label " + label + " -o alone.stl");
     CHECK(read("out/" + label + ".stl") == read("alone.stl"));
   }
   CHECK(shell("ls out").out == "1.stl\n2.stl\n9.stl\n");
-  CHECK(contains(told, "       2             3"));
+  CHECK(contains(output, "       2             3"));
   CHECK(done(extract + "--labels all -q -o '{name}.stl'").empty());
 }
 
@@ -132,7 +132,7 @@ TEST_CASE_FIXTURE(Workshop, "without a table, segments of 3D Slicer name the mes
 
 TEST_CASE_FIXTURE(Workshop, "overlapping segments of 3D Slicer are read from all layers") {
   write("layers.seg.nrrd", layered());
-  const std::string told = done("extract layers.seg.nrrd --labels all -o '{name}.ply'");
+  const std::string output = done("extract layers.seg.nrrd --labels all -o '{name}.ply'");
   write("v.raw", volume);
   write("w.raw", second_layer);
   const auto alone = [&](const std::string& file, const std::string& label) {
@@ -143,7 +143,7 @@ TEST_CASE_FIXTURE(Workshop, "overlapping segments of 3D Slicer are read from all
     done("extract layers.seg.nrrd --label '" + label + "' -o l.jsonl");
     return read("l.jsonl");
   };
-  CHECK(contains(told, "       1             6"));
+  CHECK(contains(output, "       1             6"));
   CHECK(mesh_in("Bone.ply").colour == Srgb{128, 255, 0});
   CHECK_FALSE(read("Tee_th.ply").empty());
   CHECK(layer("Bone") == alone("v.raw", "1"));
@@ -199,7 +199,7 @@ TEST_CASE_FIXTURE(Workshop, "an old segmentation without label values has a laye
                           "Segment1_LabelValue:=1\n"})
     old.erase(old.find(key), std::string(key).size());
   write("old.seg.nrrd", old);
-  const std::string told = done("extract old.seg.nrrd --label Skin -o old.jsonl");
+  const std::string output = done("extract old.seg.nrrd --label Skin -o old.jsonl");
   write("layers.seg.nrrd", layered());
   done("extract layers.seg.nrrd --label Skin -o v.jsonl");
   CHECK(read("old.jsonl") == read("v.jsonl"));
@@ -395,9 +395,9 @@ TEST_CASE_FIXTURE(LabelVolume, "GLB and 3MF hold all meshes with names and colou
   done(extract + "--labels all -o '{name}.ply'");
   for (const std::string file : {"all.glb", "all.3mf"}) {
     INFO(file);
-    const std::string told = done(extract + "--labels all" + options + "-o " + file);
-    CHECK(contains(told, "  skin\n"));
-    CHECK(contains(told, file + ": "));
+    const std::string output = done(extract + "--labels all" + options + "-o " + file);
+    CHECK(contains(output, "  skin\n"));
+    CHECK(contains(output, file + ": "));
     const auto all = meshes_in(file);
     REQUIRE(all.size() == 3);
     const std::string labels[] = {"1", "2", "9"};

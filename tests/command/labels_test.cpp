@@ -101,11 +101,12 @@ TEST_CASE("a few labels can be chosen among more scattered ones than the limit")
 
 TEST_CASE("progress is reported after every slice") {
   SampleReader reader(size, labels(0));
-  std::vector<std::uint32_t> told;
-  extract_labels(
-      reader, {Border::closed, false, {}, [&](std::uint32_t slices) { told.push_back(slices); }});
-  REQUIRE(told.size() == size.depth);
-  CHECK(told.back() == size.depth);
+  std::vector<std::uint32_t> progress;
+  extract_labels(reader, {Border::closed, false, {}, [&](std::uint32_t slices) {
+                            progress.push_back(slices);
+                          }});
+  REQUIRE(progress.size() == size.depth);
+  CHECK(progress.back() == size.depth);
 }
 
 TEST_CASE("any number of contiguous labels is extracted") {

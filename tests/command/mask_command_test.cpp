@@ -96,9 +96,9 @@ TEST_CASE_FIXTURE(Masked, "a mask applies to streams of both kinds and to pictur
   const std::string with_mask = "v.raw --mask m.nrrd --iso 100 ", without = "least.raw --iso 100 ";
   for (const std::string wire : {"regions", "slices"}) {
     const std::string options = layout + "--iso 50 --wire " + wire;
-    const std::string told = done("extract " + with_mask + "-o v.dmc" + options);
+    const std::string output = done("extract " + with_mask + "-o v.dmc" + options);
     const std::string masked_stream = read("v.dmc");
-    CHECK(told == done("extract " + without + "-o v.dmc" + options));
+    CHECK(output == done("extract " + without + "-o v.dmc" + options));
     CHECK(masked_stream == read("v.dmc"));
   }
   done("render " + with_mask + "--size 64,64 -o masked.png" + layout);

@@ -22,9 +22,9 @@ class Full : public std::streambuf {
 
  protected:
   std::streamsize xsputn(const char*, std::streamsize count) override {
-    const std::streamsize taken = std::min(count, room_);
-    room_ -= taken;
-    return taken;
+    const std::streamsize written = std::min(count, room_);
+    room_ -= written;
+    return written;
   }
   int_type overflow(int_type) override { return traits_type::eof(); }
 

@@ -83,9 +83,9 @@ TEST_CASE_FIXTURE(Folder, "the cell gives the spacing, with angstroms written as
 }
 
 TEST_CASE_FIXTURE(Folder, "the origin is the header's, or the first column, row and section") {
-  const VolumeInfo told =
+  const VolumeInfo with_origin =
       read_info(write("a.mrc", Map().reals(196, {7, 8, 9}).numbers(16, {1, 1, 1}).file(i8)));
-  check_origin(told, {7, 8, 9});
+  check_origin(with_origin, {7, 8, 9});
   const VolumeInfo steps = read_info(write("a.mrc", Map().numbers(16, {-3, 4, 5}).file(i8)));
   check_origin(steps, {-6, 8, 10});
 }

@@ -160,30 +160,30 @@ TEST_CASE_FIXTURE(Ball, "a stream without normals asks for its volume, and only 
 }
 
 TEST_CASE_FIXTURE(Ball, "normals in a stream equal those of its volume, in two bytes each") {
-  write("told.dmc", stream_with_normals());
+  write("normals.dmc", stream_with_normals());
   for (const std::string mesh : {"", " --no-conforming"}) {
     const std::string gradient = " -o v.ply --normals gradient" + mesh;
     done("decode v.dmc --volume v.nrrd" + gradient);
     const std::string of_volume = read("v.ply");
-    done("decode told.dmc --volume v.nrrd" + gradient);
+    done("decode normals.dmc --volume v.nrrd" + gradient);
     CHECK(read("v.ply") == of_volume);
-    done("decode told.dmc" + gradient);
-    const FileMesh told = mesh_in("v.ply"), exact = mesh_of_ply(of_volume);
-    REQUIRE(told.vertices_mm == exact.vertices_mm);
+    done("decode normals.dmc" + gradient);
+    const FileMesh decoded = mesh_in("v.ply"), exact = mesh_of_ply(of_volume);
+    REQUIRE(decoded.vertices_mm == exact.vertices_mm);
     double worst = 0;
-    for (std::size_t i = 0; i < told.normals.size(); ++i)
-      worst = std::max(worst, degrees_between(told.normals[i], exact.normals[i]));
+    for (std::size_t i = 0; i < decoded.normals.size(); ++i)
+      worst = std::max(worst, degrees_between(decoded.normals[i], exact.normals[i]));
     CHECK(worst > 0.1);
     CHECK(worst < 0.97);
   }
 }
 
 TEST_CASE_FIXTURE(Ball, "extract writes a device's normals, and decode keeps them") {
-  done("extract v.nrrd --iso 1000 --normals gradient -o told.dmc");
-  CHECK(read("told.dmc") == stream_with_normals());
-  done("decode told.dmc -o again.dmc");
-  CHECK(read("again.dmc") == read("told.dmc"));
-  CHECK(read("told.dmc").size() > read("v.dmc").size());
+  done("extract v.nrrd --iso 1000 --normals gradient -o normals.dmc");
+  CHECK(read("normals.dmc") == stream_with_normals());
+  done("decode normals.dmc -o again.dmc");
+  CHECK(read("again.dmc") == read("normals.dmc"));
+  CHECK(read("normals.dmc").size() > read("v.dmc").size());
 }
 
 TEST_CASE_FIXTURE(Ball, "an incomplete stream has a normal for each vertex of its surface") {

@@ -21,10 +21,10 @@ std::vector<std::size_t> numbers_below(std::size_t end) {
 
 }  // namespace
 
-TEST_CASE("items are filled and taken in order by any number of threads") {
+TEST_CASE("items are filled and consumed in order by any number of threads") {
   for (const unsigned jobs : {1U, 2U, 7U}) {
     CAPTURE(jobs);
-    std::vector<std::size_t> filled, taken, results;
+    std::vector<std::size_t> filled, consumed, results;
     run_in_order<std::size_t>(
         jobs, count,
         [&](std::size_t number, std::size_t& item) {
@@ -36,11 +36,11 @@ TEST_CASE("items are filled and taken in order by any number of threads") {
           item += number;
         },
         [&](std::size_t number, std::size_t& item) {
-          taken.push_back(number);
+          consumed.push_back(number);
           results.push_back(item / 4);
         });
     CHECK(filled == numbers_below(count));
-    CHECK(taken == numbers_below(count));
+    CHECK(consumed == numbers_below(count));
     CHECK(results == numbers_below(count));
   }
 }
@@ -71,7 +71,7 @@ TEST_CASE("an exception of a step is rethrown, and later items are dropped") {
   for (const unsigned jobs : {1U, 4U})
     for (const std::string step : {"fill", "work", "take"}) {
       CAPTURE(step);
-      std::size_t taken = 0;
+      std::size_t consumed = 0;
       const auto fail_in = [&step](const std::string& own, std::size_t number) {
         if (own == step && number == 20) throw std::runtime_error(own);
       };
@@ -81,10 +81,10 @@ TEST_CASE("an exception of a step is rethrown, and later items are dropped") {
               [&](std::size_t number, int&) { fail_in("work", number); },
               [&](std::size_t number, int&) {
                 fail_in("take", number);
-                ++taken;
+                ++consumed;
               }),
           step.c_str(), std::runtime_error);
-      CHECK(taken <= 20);
+      CHECK(consumed <= 20);
     }
 }
 

@@ -148,8 +148,8 @@ TEST_CASE_FIXTURE(Volumes, "a surface is compared with the same part of a volume
   const std::string volume = "v.raw --iso 1000" + layout;
   done("extract " + volume + crop + "-o part.dmc");
   const auto largest = [&](const std::string& part) {
-    const std::string told = done("compare part.dmc " + volume + part);
-    std::istringstream numbers(told.substr(told.find("B to A, mm") + 10));
+    const std::string output = done("compare part.dmc " + volume + part);
+    std::istringstream numbers(output.substr(output.find("B to A, mm") + 10));
     double mean = 0, most = 0, all = 0;
     numbers >> mean >> most >> all;
     return all;

@@ -29,10 +29,10 @@ struct Volumes : Workshop {
 }  // namespace
 
 TEST_CASE_FIXTURE(Volumes, "a volume is drawn like its stream with normals") {
-  done("extract v.nrrd --iso 100 --normals gradient -o told.dmc");
+  done("extract v.nrrd --iso 100 --normals gradient -o normals.dmc");
   for (const std::string look : {"", " --shade smooth", " --shade smooth --edges", " --edges"}) {
     INFO(look);
-    const std::string expected = picture("told.dmc" + look);
+    const std::string expected = picture("normals.dmc" + look);
     CHECK(picture("v.nrrd --iso 100" + look) == expected);
     CHECK(picture("v.raw --iso 100" + raw_layout + look) == expected);
   }

@@ -38,9 +38,9 @@ TEST_CASE_FIXTURE(Ramp, "a label selects the voxels of one value") {
 }
 
 TEST_CASE_FIXTURE(Ramp, "each of several surfaces is written to a mesh file with its name") {
-  const std::string told = done(ramp + "--iso 100 --iso 20.5 --iso=-1 -o '{name} of v.stl'");
+  const std::string output = done(ramp + "--iso 100 --iso 20.5 --iso=-1 -o '{name} of v.stl'");
   for (const std::string iso : {"100", "20.5", "-1"}) {
-    CHECK(contains(told, iso + " of v.stl: "));
+    CHECK(contains(output, iso + " of v.stl: "));
     done(ramp + "--iso=" + iso + " -o alone.stl");
     CHECK(read(iso + " of v.stl") == read("alone.stl"));
   }

@@ -425,10 +425,10 @@ TEST_CASE("samples are no labels to smooth, and progress is reported as they are
                        std::invalid_argument);
   SampleReader few({1, 1, 4}, {0, 1, 1, 0});
   LabelOptions options;
-  std::vector<std::uint32_t> told;
-  options.progress = [&told](std::uint32_t slices) { told.push_back(slices); };
+  std::vector<std::uint32_t> progress;
+  options.progress = [&progress](std::uint32_t slices) { progress.push_back(slices); };
   smoothed_labels(few, options, 1, 0.05, {});
-  CHECK(told == std::vector<std::uint32_t>{1, 2, 3, 4});
+  CHECK(progress == std::vector<std::uint32_t>{1, 2, 3, 4});
 }
 
 TEST_CASE("any number of scattered values are labels") {

@@ -14,15 +14,15 @@ constexpr std::uint64_t plenty = std::uint64_t{1} << 30;
 
 // Every run has a normal.
 Events pieces_with_normals() {
-  Events told;
+  Events events;
   std::uint32_t number = 0;
   for (const auto& one : pieces()) {
     Event event = one.event();
     event.normal = {static_cast<std::uint8_t>(1 + ++number % 255),
                     static_cast<std::uint8_t>(number / 255)};
-    told.emplace_back(event);
+    events.emplace_back(event);
   }
-  return told;
+  return events;
 }
 
 Events joined(const Events& events, std::uint64_t bytes) {
@@ -47,12 +47,12 @@ auto normals_of(const Events& events) {
 }  // namespace
 
 TEST_CASE("regions, normals and totals are the same, in memory and through a file") {
-  const Events told = pieces_with_normals();
-  REQUIRE(count(told, Event::Kind::fragment) > 1000);
-  const Events in_memory = joined(told, plenty);
+  const Events sent_pieces = pieces_with_normals();
+  REQUIRE(count(sent_pieces, Event::Kind::fragment) > 1000);
+  const Events in_memory = joined(sent_pieces, plenty);
   REQUIRE(count(in_memory, Event::Kind::fragment) == 0);
   for (const std::uint64_t bytes : {1U, 1000U, 30000U}) {
-    const Events spilled = joined(told, bytes);
+    const Events spilled = joined(sent_pieces, bytes);
     CHECK(count(spilled, Event::Kind::fragment) == 0);
     CHECK(regions_of(spilled) == regions_of(in_memory));
     CHECK(normals_of(spilled) == normals_of(in_memory));
@@ -69,13 +69,13 @@ TEST_CASE("the statistics of several streams through a file are their sum") {
 }
 
 TEST_CASE("pieces without a partner are delivered loose, through a file as well") {
-  Events told = pieces_with_normals();
+  Events sent_pieces = pieces_with_normals();
   const auto is_fragment = [](const auto& one) { return one.is(Event::Kind::fragment); };
-  const auto first = std::find_if(told.begin(), told.end(), is_fragment);
-  const auto end = std::find_if(first, told.end(),
+  const auto first = std::find_if(sent_pieces.begin(), sent_pieces.end(), is_fragment);
+  const auto end = std::find_if(first, sent_pieces.end(),
                                 [](const auto& one) { return one.is(Event::Kind::fragment_end); });
-  told.erase(first, end + 1);
-  const Events in_memory = joined(told, plenty), spilled = joined(told, 1);
+  sent_pieces.erase(first, end + 1);
+  const Events in_memory = joined(sent_pieces, plenty), spilled = joined(sent_pieces, 1);
   CHECK(count(in_memory, Event::Kind::fragment) > 0);
   CHECK(count(spilled, Event::Kind::fragment) == count(in_memory, Event::Kind::fragment));
   CHECK(regions_of(spilled) == regions_of(in_memory));
@@ -83,12 +83,13 @@ TEST_CASE("pieces without a partner are delivered loose, through a file as well"
 }
 
 TEST_CASE("only a fragment that breaks off is lost, through a file as well") {
-  Events told = pieces_with_normals();
+  Events sent_pieces = pieces_with_normals();
   Event lost{};
   lost.kind = Event::Kind::lost;
   const auto is_end = [](const auto& one) { return one.is(Event::Kind::fragment_end); };
-  *std::find_if(told.rbegin(), told.rend(), is_end) = discmc::test::RecordedEvent(lost);
-  const Events in_memory = joined(told, plenty), spilled = joined(told, 1);
+  *std::find_if(sent_pieces.rbegin(), sent_pieces.rend(), is_end) =
+      discmc::test::RecordedEvent(lost);
+  const Events in_memory = joined(sent_pieces, plenty), spilled = joined(sent_pieces, 1);
   CHECK(count(in_memory, Event::Kind::fragment) > 0);
   CHECK(count(spilled, Event::Kind::fragment) == count(in_memory, Event::Kind::fragment));
   CHECK(regions_of(spilled) == regions_of(in_memory));

@@ -28,12 +28,12 @@ TEST_CASE_FIXTURE(Head, "a named threshold yields the surface of its number, and
       {"ct", "auto", "300", "300 (bone)"},  {"ct", "otsu", "-500", "-500"},
       {"mri", "auto", "300", "300 (otsu)"}, {"mri", "otsu", "300", "300"},
   };
-  for (const auto& [volume, name, iso, told] : examples) {
+  for (const auto& [volume, name, iso, reported] : examples) {
     const std::string file = volume + ".nrrd";
     const Result result = run("extract " + file + " --iso " + name + " -q -o named.ply");
     INFO(result.error);
     CHECK(result.code == 0);
-    CHECK(result.error == "discmc: " + file + ": --iso " + name + ": " + told + "\n");
+    CHECK(result.error == "discmc: " + file + ": --iso " + name + ": " + reported + "\n");
     done("extract " + file + " --iso=" + iso + " -q -o number.ply");
     CHECK(read("named.ply") == read("number.ply"));
   }

@@ -211,9 +211,10 @@ TEST_CASE("the second pass reports progress after every slice") {
   const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
   FaceMesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
   SampleReader reader(volume.size, volume.samples);
-  std::vector<std::uint32_t> told;
-  set_gradient_normals(reader, mesh, [&told](std::uint32_t slices) { told.push_back(slices); });
-  CHECK(told == std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+  std::vector<std::uint32_t> progress;
+  set_gradient_normals(reader, mesh,
+                       [&progress](std::uint32_t slices) { progress.push_back(slices); });
+  CHECK(progress == std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
 }
 
 TEST_CASE("normals depend on the ratios of the spacing, also beyond what a stream can hold") {

@@ -148,22 +148,22 @@ TEST_CASE("padding outside the scanned circle of CT does not move Otsu's thresho
   CHECK(!padding_value(statistics_of({{0, 400}, {300, 100}, {900, 10}})));
   CHECK(!padding_value(statistics_of({{-9999, 400}, {300, 100}, {900, 10}})));
   CHECK(!padding_value(statistics_of({{-2000, 400}, {-1, 100}, {1, 10}})));
-  VolumeStatistics told = statistics_of({{0, 400}, {300, 100}, {900, 10}});
-  told.declared_padding = 0;
-  CHECK(padding_value(told) == 0);
-  CHECK(*otsu_threshold(told) > 300);
-  told.declared_padding = 5;
-  CHECK(!padding_value(told));
+  VolumeStatistics statistics = statistics_of({{0, 400}, {300, 100}, {900, 10}});
+  statistics.declared_padding = 0;
+  CHECK(padding_value(statistics) == 0);
+  CHECK(*otsu_threshold(statistics) > 300);
+  statistics.declared_padding = 5;
+  CHECK(!padding_value(statistics));
 }
 
 TEST_CASE("Hounsfield units are detected by the file or by values from air to bone") {
   const VolumeStatistics ct = statistics_of({{-1000, 5}, {40, 5}, {900, 1}});
   const VolumeStatistics mri = statistics_of({{0, 5}, {40, 5}, {900, 1}});
-  VolumeInfo told;
-  told.is_in_hounsfield = true;
+  VolumeInfo declared;
+  declared.is_in_hounsfield = true;
   CHECK(is_in_hounsfield({}, ct));
   CHECK(!is_in_hounsfield({}, mri));
-  CHECK(is_in_hounsfield(told, mri));
+  CHECK(is_in_hounsfield(declared, mri));
   CHECK(threshold_by(ThresholdRule::automatic, true, ct).iso == 300);
   CHECK(threshold_by(ThresholdRule::automatic, true, ct).rule == ThresholdRule::bone);
   CHECK(threshold_by(ThresholdRule::skin, true, ct).iso == -300);

@@ -107,7 +107,7 @@ TEST_CASE_FIXTURE(Folder, "a signal removes the unpacked zip, and two may be ope
                               "extract study.zip --iso=-1000 -q -o v.stl; sleep 1; }";
   CHECK(std::system(stopped.c_str()) == 0);
   CHECK(temporary.folders_of_zips() == 0);
-  const std::string both = place + command + "compare study.zip study.zip --iso=-1000 >told 2>&1";
+  const std::string both = place + command + "compare study.zip study.zip --iso=-1000 >messages 2>&1";
   CHECK(std::system(both.c_str()) == 0);
   CHECK(temporary.folders_of_zips() == 0);
 }

@@ -61,8 +61,8 @@ Bytes slices_with_records(size_t bytes_at_once) {
   for (uint32_t z = 0; z < volume.depth; ++z) {
     const Bytes bytes = bytes_of_slice(z);
     until_done([&] { return encoder.write_record(record_of(bytes, 7)); });
-    for (uint32_t told = 0; told < slice;)
-      told += encoder.push(&volume.on[z * slice + told], slice - told).samples;
+    for (uint32_t pushed = 0; pushed < slice;)
+      pushed += encoder.push(&volume.on[z * slice + pushed], slice - pushed).samples;
   }
   until_done([&] { return encoder.write_record({}); });
   until_done([&] { return encoder.finish(); });

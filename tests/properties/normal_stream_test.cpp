@@ -99,26 +99,26 @@ TEST_CASE("normals are decoded unchanged for any differences, in whole regions a
     for (uint32_t spread = 0; spread <= 256; spread = spread * 2 + 1)
       for (const size_t bytes_at_once : {size_t{0}, size_t{7}}) {
         uint8_t u = 100, v = 200;
-        const Events told = with_normals(events, [&](uint32_t) {
+        const Events sent = with_normals(events, [&](uint32_t) {
           u = static_cast<uint8_t>(u + chance.below(spread + 1) - spread / 2);
           v = static_cast<uint8_t>(v + chance.below(spread + 1) - spread / 2);
           return u == 0 ? none : OctahedralNormal{u, v};
         });
-        const Received arrival = decode(encode_normals(told, bytes_at_once), 0, bytes_at_once > 0);
+        const Received arrival = decode(encode_normals(sent, bytes_at_once), 0, bytes_at_once > 0);
         REQUIRE(arrival.report.damaged_packets == 0);
         REQUIRE(arrival.report.lost_packets == 0);
-        REQUIRE(arrival.events == told);
+        REQUIRE(arrival.events == sent);
       }
 }
 
 TEST_CASE("missing normals among others are decoded as missing") {
   const Events events = pressed(random({20, 16, 9}, 128, 7));
   Chance chance(8);
-  const Events told = with_normals(events, [&](uint32_t) {
+  const Events with_gaps = with_normals(events, [&](uint32_t) {
     const auto u = static_cast<uint8_t>(1 + chance.below(255));
     return chance.below(3) == 0 ? none : OctahedralNormal{u, chance.byte()};
   });
-  CHECK(decode(encode_normals(told)).events == told);
+  CHECK(decode(encode_normals(with_gaps)).events == with_gaps);
 }
 
 TEST_CASE("without normals both encoders write the same bytes") {
@@ -128,10 +128,10 @@ TEST_CASE("without normals both encoders write the same bytes") {
 
 TEST_CASE("an encoder without normals omits only the normals") {
   const Events plain = pressed(random({20, 16, 9}, 128, 10));
-  const Events told = with_normals(plain, [](uint32_t i) {
+  const Events sent = with_normals(plain, [](uint32_t i) {
     return OctahedralNormal{static_cast<uint8_t>(1 + i % 255), 77};
   });
-  CHECK(encode(told) == encode(plain));
+  CHECK(encode(sent) == encode(plain));
 }
 
 TEST_CASE("a normal belongs only to the record after it") {
@@ -201,10 +201,10 @@ TEST_CASE("normals use as few bits as their largest difference needs, without an
   Script script;
   Payload payload;
   std::vector<OctahedralNormal> normals;
-  const auto add = [&](const std::vector<OctahedralNormal>& told, uint32_t type,
+  const auto add = [&](const std::vector<OctahedralNormal>& run_normals, uint32_t type,
                        const Bytes& bytes) {
-    const auto runs = static_cast<uint32_t>(told.size());
-    normals.insert(normals.end(), told.begin(), told.end());
+    const auto runs = static_cast<uint32_t>(run_normals.size());
+    normals.insert(normals.end(), run_normals.begin(), run_normals.end());
     add_region(script, runs);
     add_normals(payload, type, bytes);
     add_region(payload, runs);
@@ -212,16 +212,16 @@ TEST_CASE("normals use as few bits as their largest difference needs, without an
   add({{9, 8}, {9, 8}, {9, 8}, {9, 8}}, 1, {9, 8});
   add({{100, 100}, {101, 99}}, 3, {100, 100, 0x90});  // +1 -1, and zeros
   add({{100, 100}, {105, 98}}, 5, {100, 100, 0xA3});  // +5 -2
-  const Events told = with_normals(script.events, [&](uint32_t run) { return normals[run]; });
-  CHECK(packet_of(frames_of(encode_normals(told))[1]).payload == payload.finish());
+  const Events sent = with_normals(script.events, [&](uint32_t run) { return normals[run]; });
+  CHECK(packet_of(frames_of(encode_normals(sent))[1]).payload == payload.finish());
 }
 
 TEST_CASE("normals are decoded unchanged in records that exceed a packet") {
   Chance chance(13);
-  const Events told = with_normals(monstrous_events(), [&](uint32_t) {
+  const Events sent = with_normals(monstrous_events(), [&](uint32_t) {
     return OctahedralNormal{static_cast<uint8_t>(1 + chance.below(255)), chance.byte()};
   });
-  CHECK(decode(encode_normals(told)).events == told);
+  CHECK(decode(encode_normals(sent)).events == sent);
 }
 
 TEST_CASE("the stream of an extractor with normals is decoded unchanged") {

@@ -56,13 +56,13 @@ struct Gate {
   Encoder& encoder;
   uint32_t refused_in;
   uint32_t offers = 0;
-  uint64_t taken = 0;
+  uint64_t accepted = 0;
 
   SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::start) return encoder.accept(event);
     if (refused_in > 0 && ++offers % refused_in == 0) return SinkResult::busy;
     const SinkResult answer = encoder.accept(event);
-    taken += answer == SinkResult::accepted;
+    accepted += answer == SinkResult::accepted;
     return answer;
   }
 };
@@ -83,7 +83,7 @@ class Device {
     const BitVolume& volume = scenario_.volume;
     const auto total = static_cast<uint32_t>(volume.voxels());
     for (size_t busy = 0; busy < patience;) {
-      const uint64_t before = gate_.taken;
+      const uint64_t before = gate_.accepted;
       Status status = Status::ok;
       if (at_ < total) {
         const PushResult pushed = extractor_.push(volume.on.data() + at_, total - at_);
@@ -94,7 +94,7 @@ class Device {
         if (status == Status::ok) return true;
       }
       if (status != Status::suspended) require_ok(status);
-      busy = status == Status::suspended && gate_.taken == before ? busy + 1 : 0;
+      busy = status == Status::suspended && gate_.accepted == before ? busy + 1 : 0;
     }
     return false;
   }
@@ -163,16 +163,17 @@ TEST_CASE(
       Stopping output({stop}, Stopping::for_ever);
       Encoder encoder;
       REQUIRE(begin_stream(encoder, sample.header, output.output()) == Status::ok);
-      size_t told = 0;
-      while (encoder.accept(sample.events[told].event()) == SinkResult::accepted) ++told;
+      size_t next_event = 0;
+      while (encoder.accept(sample.events[next_event].event()) == SinkResult::accepted)
+        ++next_event;
       for (int i = 0; i < 5; ++i) {
-        CHECK(encoder.accept(sample.events[told].event()) == SinkResult::busy);
+        CHECK(encoder.accept(sample.events[next_event].event()) == SinkResult::busy);
         CHECK(encoder.flush() == Status::suspended);
         CHECK(encoder.bytes() == stop);
       }
       output.recover();
-      encode_all(encoder,
-                 {sample.events.begin() + static_cast<std::ptrdiff_t>(told), sample.events.end()});
+      encode_all(encoder, {sample.events.begin() + static_cast<std::ptrdiff_t>(next_event),
+                           sample.events.end()});
       CHECK(output.bytes == whole);
     }
   }

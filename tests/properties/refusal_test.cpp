@@ -115,9 +115,9 @@ struct Gate {
 
 // A scan that the sink stops after some events, or after a skipped row. Then a reset, and the same
 // scan without refusals.
-EventLog events_after_reset(const Scenario& scenario, uint64_t taken, bool skips) {
+EventLog events_after_reset(const Scenario& scenario, uint64_t accepted, bool skips) {
   EventLog before, after;
-  Gate gate{&before, taken};
+  Gate gate{&before, accepted};
   const Limits limits = limits_of(scenario.volume, scenario.border);
   Block block(Extractor16::bytes_for(limits, scenario.capacities));
   Extractor16 extractor;
@@ -278,9 +278,9 @@ TEST_CASE("reset() discards the events that the sink has not accepted") {
   for (const Scenario& scenario : {scenario_of(random({5, 5, 4}, 128, 3), Border::open),
                                    loose(4, Border::closed), pressed(7)}) {
     const EventLog plain = run<uint16_t>(scenario);
-    for (uint64_t taken = 0; taken < plain.events.size(); taken += 7)
+    for (uint64_t accepted = 0; accepted < plain.events.size(); accepted += 7)
       for (const bool skips : {false, true})
-        CHECK(events_after_reset(scenario, taken, skips).events == plain.events);
+        CHECK(events_after_reset(scenario, accepted, skips).events == plain.events);
   }
 }
 

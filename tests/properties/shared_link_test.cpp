@@ -266,11 +266,11 @@ TEST_CASE("several surfaces of a scan share a link frame by frame, even if the l
     }
     SurfaceGroup<Extractor16> surfaces(extractors, 3, size.width);
     const auto all = static_cast<uint32_t>(samples.size());
-    for (uint32_t told = 0; told < all;) {
-      const uint32_t some = std::min(all - told, 1 + chance.below(50));
-      const PushResult result = surfaces.push(&samples[told], some);
+    for (uint32_t pushed = 0; pushed < all;) {
+      const uint32_t some = std::min(all - pushed, 1 + chance.below(50));
+      const PushResult result = surfaces.push(&samples[pushed], some);
       REQUIRE((result.status == Status::ok || result.status == Status::suspended));
-      told += result.samples;
+      pushed += result.samples;
     }
     reference::finish_all(surfaces);
     while (link.flush() == Status::suspended) continue;
@@ -345,17 +345,17 @@ TEST_CASE("a group waits for any busy sink, and counts only rows that all extrac
     const uint8_t bits[6] = {0xAA, 0, 0xAA, 0, 0xAA, 0};
     uint32_t waits = 0;
     for (uint32_t row = 0; row < 24; ++row) {
-      uint32_t told = 0;
-      while (told < 9) {
-        const PushResult result = row % 5 == 2 ? group.surfaces.push_bits(bits)
-                                  : row % 5 == 4
-                                      ? group.surfaces.skip_row(Substitute::previous_row)
-                                      : group.surfaces.push(&noise.on[row * 9 + told], 9 - told);
+      uint32_t pushed = 0;
+      while (pushed < 9) {
+        const PushResult result =
+            row % 5 == 2   ? group.surfaces.push_bits(bits)
+            : row % 5 == 4 ? group.surfaces.skip_row(Substitute::previous_row)
+                           : group.surfaces.push(&noise.on[row * 9 + pushed], 9 - pushed);
         REQUIRE((result.status == Status::ok || result.status == Status::suspended));
         if (result.samples == 0) ++waits;
-        told += result.samples;
+        pushed += result.samples;
       }
-      REQUIRE(told == 9);
+      REQUIRE(pushed == 9);
     }
     CHECK(waits > 20);
     reference::finish_all(group.surfaces);

@@ -23,10 +23,11 @@ Events decode_cutting(const Bytes& stream, Check check) {
     // A copy is valid here, because a decoder that waits for bytes has no pointers to itself.
     Decoder cut;
     std::memcpy(static_cast<void*>(&cut), &decoder, sizeof cut);
-    const size_t told = log.events.size();
+    const size_t event_count = log.events.size();
     reference::require_ok(cut.finish());
-    const bool is_lost = log.events.size() > told;
-    log.events.erase(log.events.begin() + static_cast<std::ptrdiff_t>(told), log.events.end());
+    const bool is_lost = log.events.size() > event_count;
+    log.events.erase(log.events.begin() + static_cast<std::ptrdiff_t>(event_count),
+                     log.events.end());
     check(count, log.events, cut.report(), is_lost);
     const Bytes one(1, stream[count]);
     reference::require_ok(decoder.push(one.data(), 1).status);
@@ -63,20 +64,20 @@ TEST_CASE("a stream truncated at any byte is incomplete and yields the pieces wh
     size_t frame = 0, end = 0, whole = 0;
     const Events events = decode_cutting(
         joined(frames),
-        [&](size_t count, const Events& told, const StreamReport& report, bool is_lost) {
+        [&](size_t count, const Events& events, const StreamReport& report, bool is_lost) {
           if (count == end + frames[frame].size()) {
             end = count;
             whole += brought[frame++].size();
           }
           CAPTURE(count);
-          REQUIRE(told.size() == whole);
+          REQUIRE(events.size() == whole);
           REQUIRE_FALSE(report.is_complete());
           REQUIRE(report.damaged_packets == (count == end ? 0 : 1));
           REQUIRE(report.packets == frame);
-          const bool is_open = whole > 0 && !told.back().is(Event::Kind::region_end) &&
-                               !told.back().is(Event::Kind::fragment_end) &&
-                               !told.back().is(Event::Kind::layer) &&
-                               !told.back().is(Event::Kind::skipped);
+          const bool is_open = whole > 0 && !events.back().is(Event::Kind::region_end) &&
+                               !events.back().is(Event::Kind::fragment_end) &&
+                               !events.back().is(Event::Kind::layer) &&
+                               !events.back().is(Event::Kind::skipped);
           REQUIRE(is_lost == is_open);
         });
     CHECK(events == sample.events);
@@ -91,10 +92,11 @@ TEST_CASE("a scan cut off at any byte yields every region below the last layer m
     const Collector whole = collected(sample.events);
     const std::vector<size_t> needed = regions_by_mark(whole);
     Collector arrived;
-    size_t taken = 0, compared = 0;
+    size_t collected_events = 0, compared = 0;
     decode_cutting(encode(sample.events, sample.header),
-                   [&](size_t count, const Events& told, const StreamReport& report, bool) {
-                     for (; taken < told.size(); ++taken) (void)arrived.accept(told[taken].event());
+                   [&](size_t count, const Events& events, const StreamReport& report, bool) {
+                     for (; collected_events < events.size(); ++collected_events)
+                       (void)arrived.accept(events[collected_events].event());
                      CAPTURE(count);
                      REQUIRE(arrived.regions().size() == report.regions);
                      for (; compared < arrived.regions().size(); ++compared)

@@ -126,9 +126,9 @@ TEST_CASE("save() of an extractor is suspended while any event is due") {
   const auto wait = [&](Status status) {
     while (status == Status::suspended) {
       CHECK(extractor.save(parts) == Status::suspended);
-      const size_t taken = log.events.size();
+      const size_t events_before = log.events.size();
       status = extractor.resume();
-      if (log.events.size() > taken) waited_for.insert(log.events[taken].kind());
+      if (log.events.size() > events_before) waited_for.insert(log.events[events_before].kind());
     }
     require_ok(status);
     CHECK(extractor.save(parts) == Status::ok);

@@ -245,12 +245,12 @@ TEST_CASE("the start event contains the extractor's limits and threshold") {
   Bench<uint16_t> bench({7, 3, Border::open}, -42, 0);
   require_ok(bench.extractor.reset());
   REQUIRE(bench.log.starts.size() == 2);
-  for (const StreamHeader& told : bench.log.starts) {
-    CHECK(told.width == 7);
-    CHECK(told.height == 3);
-    CHECK(told.border == Border::open);
-    CHECK(told.thresholds[0] == -42);
-    CHECK_FALSE(told.has_spacing());
+  for (const StreamHeader& header : bench.log.starts) {
+    CHECK(header.width == 7);
+    CHECK(header.height == 3);
+    CHECK(header.border == Border::open);
+    CHECK(header.thresholds[0] == -42);
+    CHECK_FALSE(header.has_spacing());
   }
 }
 

@@ -171,10 +171,10 @@ TEST_CASE("the normals at the corners of a ball point outwards") {
   const Events events =
       events_of<uint32_t, WithNormals<uint8_t>>(ball, {180, Border::closed, ample});
   int starts = 0;
-  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal told, bool) {
+  for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal, bool) {
     ++starts;
-    REQUIRE(!told.is_none());
-    const UnitNormal n = unit_normal(told);
+    REQUIRE(!normal.is_none());
+    const UnitNormal n = unit_normal(normal);
     const Vertex from_centre{vertex.x - extent + 1, vertex.y - extent + 1, vertex.z - extent + 1};
     // In space, y is mirrored.
     const int64_t outwards = int64_t{n.x} * from_centre.x * uneven_spacing[0] +

@@ -356,11 +356,11 @@ bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
       row[x] =
           static_cast<uint8_t>(volume({static_cast<int32_t>(x), static_cast<int32_t>(i % height),
                                        static_cast<int32_t>(i / height)}));
-    for (uint32_t told = 0; told == 0;) {  // a busy line may refuse the header first
+    for (uint32_t pushed = 0; pushed == 0;) {  // a busy line may refuse the header first
       const PushResult result =
           i == height + 3 ? scanner.skip_row(Substitute::previous_row) : scanner.push(row, width);
       if (!is_done(result.status)) return false;
-      told = result.samples;
+      pushed = result.samples;
     }
   }
   return is_done(abandons ? scanner.abandon() : scanner.finish());

@@ -74,7 +74,7 @@ class CountedScan {
   };
   struct Call {
     Asked asked;
-    uint64_t taken;
+    uint64_t call_blocks;
   };
 
   // The swept rows of voxels, and the first row of the halo.
@@ -112,24 +112,24 @@ class CountedScan {
     const uint64_t events = counter_.events;
     const uint64_t before = blocks;
     const Status status = call();
-    const uint64_t taken = blocks - before;
+    const uint64_t call_blocks = blocks - before;
     reference::require_ok(status);
     asked.delivered = counter_.events - events;
     asked.is_short = room_.capacities.slots < extractor_.peaks().slots + min_spare;
-    calls_.push_back({asked, taken});
+    calls_.push_back({asked, call_blocks});
   }
 
   Work sum(size_t pushes) const {
     Work work;
     for (size_t i = 0; i < calls_.size(); ++i) {
-      const auto& [asked, taken] = calls_[i];
+      const auto& [asked, call_blocks] = calls_[i];
       const double share =
-          static_cast<double>(taken) /
+          static_cast<double>(call_blocks) /
           static_cast<double>(bound(limits_.width, asked, counter_.holes, counter_.hole_runs));
       work.max_of_bound = std::max(work.max_of_bound, share);
       if (asked.vertices > 0) work.max_at_work = std::max(work.max_at_work, share);
-      if (i < pushes) work.most = std::max(work.most, taken);
-      work.blocks += taken;
+      if (i < pushes) work.most = std::max(work.most, call_blocks);
+      work.blocks += call_blocks;
       work.vertices += asked.vertices;
     }
     work.fragments = extractor_.statistics().fragments;

@@ -44,7 +44,7 @@ inline Joined join_all(const Events& events, const JoinPlan& plan) {
       joiner.start(plan.capacities, block.memory(), make_sink(log), plan.order, plan.unjoined));
   for (const RecordedEvent& event : events)
     for (int tries = 1; joiner.accept(event.event()) != SinkResult::accepted; ++tries)
-      if (tries >= max_tries) throw std::runtime_error("an event that is never taken");
+      if (tries >= max_tries) throw std::runtime_error("an event that is never accepted");
   Status status = joiner.finish();
   for (int tries = 1; status == Status::suspended; ++tries) {
     if (tries >= max_tries) throw std::runtime_error("no end");

@@ -194,13 +194,13 @@ Status push_stream(Decoding& decoder, const Bytes& bytes, size_t chunk) {
 /// number of accepted bytes.
 template <class Decoding>
 size_t push_until_done(Decoding& decoder, const Bytes& bytes) {
-  size_t taken = 0;
+  size_t consumed = 0;
   until_done([&] {
-    const Decoded decoded = decoder.push(bytes.data() + taken, bytes.size() - taken);
-    taken += decoded.bytes;
+    const Decoded decoded = decoder.push(bytes.data() + consumed, bytes.size() - consumed);
+    consumed += decoded.bytes;
     return decoded.status;
   });
-  return taken;
+  return consumed;
 }
 
 /// Decodes in portions (0: all at once). Limit: the slices have the given size; larger slices

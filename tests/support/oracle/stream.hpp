@@ -77,9 +77,9 @@ class Line {
   size_t write(const uint8_t* data, size_t count) {
     was_busy_ = most_ > 0 && !was_busy_;
     if (was_busy_) return 0;
-    const size_t taken = most_ > 0 && most_ < count ? most_ : count;
-    bytes.insert(bytes.end(), data, data + taken);
-    return taken;
+    const size_t accepted = most_ > 0 && most_ < count ? most_ : count;
+    bytes.insert(bytes.end(), data, data + accepted);
+    return accepted;
   }
 
   size_t most_;
@@ -94,10 +94,10 @@ struct LimitedLine {
   ByteOutput output() {
     return {this, [](void* context, const uint8_t* data, size_t count) {
               auto& line = *static_cast<LimitedLine*>(context);
-              const size_t taken = std::min(count, line.room);
-              line.bytes.insert(line.bytes.end(), data, data + taken);
-              line.room -= taken;
-              return taken;
+              const size_t accepted = std::min(count, line.room);
+              line.bytes.insert(line.bytes.end(), data, data + accepted);
+              line.room -= accepted;
+              return accepted;
             }};
   }
 };
@@ -121,7 +121,7 @@ template <class Encoding>
 void encode_all(Encoding& encoder, const Events& events) {
   for (const RecordedEvent& recorded : events)
     for (int tries = 0; encoder.accept(recorded.event()) != SinkResult::accepted; ++tries)
-      if (tries > 10000) throw std::runtime_error("an event that is never taken");
+      if (tries > 10000) throw std::runtime_error("an event that is never accepted");
 }
 
 /// An encoder that also encodes normals.

@@ -190,9 +190,9 @@ inline Events with_loose_fragments(const Events& events, size_t most) {
   Events result, region;
   std::vector<Chain> rings;
   Statistics totals{};
-  for (const RecordedEvent& told : events) {
-    const Event event = told.event();
-    if (told.is(Event::Kind::finish)) {
+  for (const RecordedEvent& recorded : events) {
+    const Event event = recorded.event();
+    if (recorded.is(Event::Kind::finish)) {
       totals.links = event.statistics->links;
       totals.skipped_rows = event.statistics->skipped_rows;
       Event finish = event;
@@ -200,10 +200,11 @@ inline Events with_loose_fragments(const Events& events, size_t most) {
       result.emplace_back(finish);
       continue;
     }
-    region.push_back(told);
-    if (told.is(Event::Kind::ring)) rings.push_back({event.start, {}});
-    if (told.is(Event::Kind::run) && !rings.empty()) rings.back().runs.push_back(event.run);
-    if (told.is(Event::Kind::region) || told.is(Event::Kind::ring) || told.is(Event::Kind::run))
+    region.push_back(recorded);
+    if (recorded.is(Event::Kind::ring)) rings.push_back({event.start, {}});
+    if (recorded.is(Event::Kind::run) && !rings.empty()) rings.back().runs.push_back(event.run);
+    if (recorded.is(Event::Kind::region) || recorded.is(Event::Kind::ring) ||
+        recorded.is(Event::Kind::run))
       continue;
     if (std::any_of(rings.begin(), rings.end(),
                     [most](const Chain& ring) { return ring.runs.size() > most; })) {

@@ -29,7 +29,7 @@ class StartedPool : public Pool<PooledSlot<Index>, Index> {
 template <class Index>
 void check_random_operations(uint32_t capacity, uint32_t seed) {
   StartedPool<Index> pool(capacity);
-  std::vector<Index> taken;
+  std::vector<Index> allocated;
   uint32_t peak = 0;
   for (uint32_t i = 0; i < 20000; ++i) {
     seed = seed * 1664525 + 1013904223;
@@ -37,33 +37,33 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
     const bool takes = (seed >> 20) % 100 < (i / 1000 % 2 == 0 ? 70U : 30U);
     if (takes) {
       const Index index = pool.allocate();
-      CHECK((index == no_slot) == (taken.size() == capacity));
+      CHECK((index == no_slot) == (allocated.size() == capacity));
       if (index == no_slot) continue;
       REQUIRE(index >= 1);
       REQUIRE(index <= capacity);
       pool[index].payload = index * 3U;
-      taken.push_back(index);
-    } else if (!taken.empty()) {
-      const size_t place = (seed >> 8) % taken.size();
-      CHECK(pool[taken[place]].payload == taken[place] * 3U);
-      pool.release(taken[place]);
-      taken.erase(taken.begin() + static_cast<std::ptrdiff_t>(place));
+      allocated.push_back(index);
+    } else if (!allocated.empty()) {
+      const size_t place = (seed >> 8) % allocated.size();
+      CHECK(pool[allocated[place]].payload == allocated[place] * 3U);
+      pool.release(allocated[place]);
+      allocated.erase(allocated.begin() + static_cast<std::ptrdiff_t>(place));
     }
-    peak = taken.size() > peak ? static_cast<uint32_t>(taken.size()) : peak;
-    REQUIRE(pool.in_use() == taken.size());
-    REQUIRE(pool.available() == capacity - taken.size());
+    peak = allocated.size() > peak ? static_cast<uint32_t>(allocated.size()) : peak;
+    REQUIRE(pool.in_use() == allocated.size());
+    REQUIRE(pool.available() == capacity - allocated.size());
     REQUIRE(pool.peak() == peak);
   }
-  CHECK(std::set<Index>(taken.begin(), taken.end()).size() == taken.size());
+  CHECK(std::set<Index>(allocated.begin(), allocated.end()).size() == allocated.size());
 }
 
 }  // namespace
 
 TEST_CASE("a pool provides each slot once, then no_slot") {
   StartedPool<uint16_t> pool(5);
-  std::set<uint16_t> taken;
-  for (int i = 0; i < 5; ++i) taken.insert(pool.allocate());
-  CHECK(taken == std::set<uint16_t>{1, 2, 3, 4, 5});
+  std::set<uint16_t> allocated;
+  for (int i = 0; i < 5; ++i) allocated.insert(pool.allocate());
+  CHECK(allocated == std::set<uint16_t>{1, 2, 3, 4, 5});
   CHECK(pool.allocate() == no_slot);
   CHECK(pool.allocate() == no_slot);
   CHECK(pool.in_use() == 5);

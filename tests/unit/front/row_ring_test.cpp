@@ -52,11 +52,11 @@ struct Task {
 
   // Reads the available rows, at most `limit`. Returns their number.
   uint32_t read(RowRing& ring, uint32_t limit) {
-    for (uint32_t taken = 0; taken < limit; ++taken) {
+    for (uint32_t rows_read = 0; rows_read < limit; ++rows_read) {
       const Next next = ring.peek();
       if (next == Next::none || next == Next::end) {
         has_ended = next == Next::end;
-        return taken;
+        return rows_read;
       }
       is_right = is_right && !has_ended && ring.consumed() == seen.size() &&
                  (next == Next::lost || is_row(ring, ring.consumed()));

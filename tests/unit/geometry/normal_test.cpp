@@ -114,14 +114,14 @@ TEST_CASE("the octahedron's rim belongs to its upper half, and its lowest corner
 TEST_CASE("any two bytes decode to none or to a unit vector, which encodes back") {
   for (int u = 0; u < 256; ++u)
     for (int v = 0; v < 256; ++v) {
-      const OctahedralNormal told{static_cast<uint8_t>(u), static_cast<uint8_t>(v)};
-      const UnitNormal n = unit_normal(told);
+      const OctahedralNormal encoded{static_cast<uint8_t>(u), static_cast<uint8_t>(v)};
+      const UnitNormal n = unit_normal(encoded);
       REQUIRE((u != 0) == (n != UnitNormal{0, 0, 0}));
       if (u == 0 || v == 0) continue;
       REQUIRE(length(direction_of(n)) == doctest::Approx(16384).epsilon(1e-4));
       const OctahedralNormal again = octahedral_normal({n.x, n.y, n.z});
       // On the rim and its folds, two codes represent one direction.
-      if (again != told) REQUIRE(unit_normal(again) == n);
+      if (again != encoded) REQUIRE(unit_normal(again) == n);
     }
 }
 

@@ -53,9 +53,9 @@ class Waiting {
   }
   /// Removes this many outer rings.
   std::vector<uint32_t> remove_outers(size_t count) {
-    std::vector<uint32_t> taken;
-    while (taken.size() < count) taken.push_back(rings_.remove_outer(held_));
-    return taken;
+    std::vector<uint32_t> outer_rings;
+    while (outer_rings.size() < count) outer_rings.push_back(rings_.remove_outer(held_));
+    return outer_rings;
   }
   void forget_notes() { rings_.forget_notes(held_); }
   void clear() { rings_.clear(); }

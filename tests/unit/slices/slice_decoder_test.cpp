@@ -40,12 +40,12 @@ class Code {
   Code(const Code&) = delete;
   Code& operator=(const Code&) = delete;
 
-  Code& note(uint32_t told) {
+  Code& note(uint32_t bits) {
     writer_.code_bit(surfaces_.note(), true);
-    writer_.raw_bits(detail::slices::note_bits, told);
+    writer_.raw_bits(detail::slices::note_bits, bits);
     return *this;
   }
-  Code& note(RowNote told) { return note(static_cast<uint32_t>(told)); }
+  Code& note(RowNote row_note) { return note(static_cast<uint32_t>(row_note)); }
   // The surfaces have their rows in turn.
   Code& row(const Bytes& bits) { return begin_row(bits).rest_of_row(); }
   Code& rows_off(uint32_t count) {
@@ -243,9 +243,9 @@ TEST_CASE("a truncated code counts as one damaged packet and yields fewer than 5
 TEST_CASE("a code continues a row only where the previous code was cut") {
   constexpr uint8_t of_cut = of_key | SliceBits::cut;
   const Bytes one_on{0, 4, 0, 0, 0};
-  Code told;
-  const Bytes begun = told.begin_row(one_on).finish();
-  const Bytes rest = told.rest_of_row().rows_off(2).end();
+  Code code;
+  const Bytes begun = code.begin_row(one_on).finish();
+  const Bytes rest = code.rest_of_row().rows_off(2).end();
   const ReceivedRows received =
       Stream().slices(of_cut, {key(0), begun, cut(0, 29)}).slices(whole_code, {rest}).received();
   CHECK(received.report.damaged_packets == 0);
@@ -280,10 +280,10 @@ TEST_CASE("a code continues a row only where the previous code was cut") {
 TEST_CASE("a code may be cut in the row of any surface") {
   for (const uint32_t surface : {0U, 1U, 2U}) {
     CAPTURE(surface);
-    Code told(3);
-    told.rows_off(3 + surface);
-    const Bytes begun = told.begin_row({0, 4, 0, 0, 0}).finish();
-    const Bytes rest = told.rest_of_row().rows_off(3 - surface - 1).rows_off(3).end();
+    Code code(3);
+    code.rows_off(3 + surface);
+    const Bytes begun = code.begin_row({0, 4, 0, 0, 0}).finish();
+    const Bytes rest = code.rest_of_row().rows_off(3 - surface - 1).rows_off(3).end();
     const ReceivedRows received =
         Stream(3)
             .slices(of_key | SliceBits::cut, {key(0), begun, cut(3 + surface, 29)})
@@ -303,8 +303,8 @@ TEST_CASE("a code may be cut in the row of any surface") {
 }
 
 TEST_CASE("a loss behind a cut costs the rows up to the next key slice") {
-  Code told;
-  const Bytes begun = told.begin_row({0, 4, 0, 0, 0}).finish();
+  Code code;
+  const Bytes begun = code.begin_row({0, 4, 0, 0, 0}).finish();
   const ReceivedRows received = Stream()
                                     .slices(of_key | SliceBits::cut, {key(0), begun, cut(0, 29)})
                                     .lose_packets(1)
@@ -456,19 +456,19 @@ TEST_CASE("a sink may refuse starts, rows, losses and the end, and is offered th
           .slices(of_key, {key(4), Code(2).rows_off(6).end()})
           .trailer(15)
           .bytes();
-  using Told = std::array<uint64_t, 5>;
+  using Fields = std::array<uint64_t, 5>;
   struct Sullen {
     SinkResult accept(const RowEvent& event) {
       refused = refuses && !refused;
       if (refused) return SinkResult::busy;
       const bool is_lost = event.kind == Kind::lost;
-      told.push_back({static_cast<uint64_t>(event.kind), event.slice, event.row,
-                      is_lost ? event.count : 0, is_lost ? 0U : event.channel});
+      events.push_back({static_cast<uint64_t>(event.kind), event.slice, event.row,
+                        is_lost ? event.count : 0, is_lost ? 0U : event.channel});
       return SinkResult::accepted;
     }
     bool refuses;
     bool refused = false;
-    std::vector<Told> told{};
+    std::vector<Fields> events{};
   } willing{false}, sullen{true};
   Bytes memory(SliceDecoder::minimum_bytes(limits, 2));
   for (Sullen* sink : {&willing, &sullen}) {
@@ -484,8 +484,8 @@ TEST_CASE("a sink may refuse starts, rows, losses and the end, and is offered th
   const Decoded refused = waiting.push(stream.data(), stream.size());
   CHECK(refused.status == Status::suspended);
   CHECK(refused.bytes == frames_of(stream).front().size());
-  CHECK(willing.told.size() == 1 + 1 + 6 + 1 + 1 + 6 + 1);
-  CHECK(willing.told == sullen.told);
+  CHECK(willing.events.size() == 1 + 1 + 6 + 1 + 1 + 6 + 1);
+  CHECK(willing.events == sullen.events);
 }
 
 TEST_CASE("a frame that is cut off at the end of a stream of slices is damaged") {
@@ -522,8 +522,9 @@ TEST_CASE("set_memory() succeeds only for a started slice decoder short of memor
   CHECK(decoder.set_memory({memory.data(), memory.size() - 1}) == Status::too_little_memory);
   CHECK(log.starts.empty());
   CHECK(decoder.set_memory(all) == Status::ok);
-  const size_t taken = frames_of(stream).front().size();
-  CHECK(decoder.push(stream.data() + taken, stream.size() - taken).status == Status::ok);
+  const size_t first_frame = frames_of(stream).front().size();
+  CHECK(decoder.push(stream.data() + first_frame, stream.size() - first_frame).status ==
+        Status::ok);
   CHECK(decoder.report().is_complete());
   CHECK(decoder.finish() == Status::ok);
 }

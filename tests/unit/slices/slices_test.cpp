@@ -450,9 +450,9 @@ Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, uint32_t
   StartedSliceEncoder encoder(header, line.output(), key_slice_interval);
   for (uint32_t row = 0; row < header.height * header.depth; ++row) {
     const uint8_t* const first = &samples[size_t{row} * header.width];
-    for (uint32_t told = 0; told < header.width;)
-      told += skips && row % 5 == 2 ? encoder.skip_row(Substitute::previous_row).samples
-                                    : encoder.push(first + told, header.width - told).samples;
+    for (uint32_t pushed = 0; pushed < header.width;)
+      pushed += skips && row % 5 == 2 ? encoder.skip_row(Substitute::previous_row).samples
+                                      : encoder.push(first + pushed, header.width - pushed).samples;
   }
   until_done([&] { return encoder.finish(); });
   CHECK(encoder.block.is_intact());

@@ -174,10 +174,10 @@ TEST_CASE("a flush on a slow line continues where it stopped") {
       Line line(bytes_at_once);
       Encoder encoder;
       REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
-      size_t told = 0;
+      size_t encoded = 0;
       for (const RecordedEvent& one : sample.events) {
         encode_all(encoder, {one});
-        if (++told % 37 == 0)
+        if (++encoded % 37 == 0)
           while (encoder.flush() == Status::suspended) continue;
       }
       CHECK(decode(line.bytes).events == sample.events);
@@ -212,11 +212,12 @@ TEST_CASE("the trailer has an abandoned flag of 1 or 0") {
 
 TEST_CASE("an encoder that is started again begins a new stream") {
   const Events events = many_regions(100);
-  for (size_t told = 0; told <= events.size(); told += 1 + told / 3) {
-    Line line(told % 2);
+  for (size_t event_count = 0; event_count <= events.size(); event_count += 1 + event_count / 3) {
+    Line line(event_count % 2);
     Encoder encoder;
     REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-    encode_all(encoder, Events(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(told)));
+    encode_all(encoder,
+               Events(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(event_count)));
     Line again;
     REQUIRE(begin_stream(encoder, any_header(), again.output()) == Status::ok);
     encode_all(encoder, events);
@@ -241,7 +242,7 @@ TEST_CASE("a further scan begins once the line has accepted all of the previous 
 }
 
 TEST_CASE("the label's spacing is sent if the scan has none along any axis") {
-  const auto told = [](const StreamHeader& scan) {
+  const auto sent_spacing = [](const StreamHeader& scan) {
     Line line;
     Encoder encoder;
     REQUIRE(encoder.start({0, {7, 8, 9}}, line.output()) == Status::ok);
@@ -255,7 +256,7 @@ TEST_CASE("the label's spacing is sent if the scan has none along any axis") {
     for (int32_t& spacing : scan.spacing_nm) spacing = 0;
     if (axis >= 0) scan.spacing_nm[axis] = 5;
     const std::vector<int32_t> own(scan.spacing_nm, scan.spacing_nm + 3);
-    CHECK(told(scan) == (axis < 0 ? std::vector<int32_t>{7, 8, 9} : own));
+    CHECK(sent_spacing(scan) == (axis < 0 ? std::vector<int32_t>{7, 8, 9} : own));
   }
 }
 
@@ -263,10 +264,10 @@ TEST_CASE("an encoder restarted amid a region in parts encodes the next region w
   LimitedLine narrow{frames_of(encode({})).front().size()};  // for the header
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), narrow.output()) == Status::ok);
-  size_t told = 0;
+  size_t accepted = 0;
   const Events long_region = many_regions(1, 500);
-  while (encoder.accept(long_region[told].event()) == SinkResult::accepted) ++told;
-  REQUIRE(long_region[told].is(Event::Kind::run));
+  while (encoder.accept(long_region[accepted].event()) == SinkResult::accepted) ++accepted;
+  REQUIRE(long_region[accepted].is(Event::Kind::run));
   Line line;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   const Events events = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;

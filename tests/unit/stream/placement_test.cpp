@@ -30,8 +30,8 @@ bool equal(const Placement& a, const Placement& b) {
          std::equal(a.origin_nm, a.origin_nm + 3, b.origin_nm) && a.space == b.space;
 }
 
-struct Told {
-  explicit Told(const Placement& placement) : record(record_of(placement, bytes)) {}
+struct RecordBytes {
+  explicit RecordBytes(const Placement& placement) : record(record_of(placement, bytes)) {}
   uint8_t bytes[Placement::record_bytes];
   ApplicationRecord record;
 };
@@ -51,9 +51,9 @@ struct PlacementReceiver {
 
 TEST_CASE("a placement is read back from its record") {
   for (const Space space : {Space::scanner, Space::lps, Space::ras}) {
-    const Told told(any_placement(space));
+    const RecordBytes written(any_placement(space));
     Placement read;
-    CHECK(read_placement(told.record, read));
+    CHECK(read_placement(written.record, read));
     CHECK(equal(read, any_placement(space)));
   }
 }
@@ -86,16 +86,16 @@ TEST_CASE("the bytes of a placement are as documented") {
 }
 
 TEST_CASE("a record of another kind, size or space is not read as a placement") {
-  const Told told(any_placement(Space::lps));
+  const RecordBytes written(any_placement(Space::lps));
   const Placement before = any_placement(Space::ras);
   Placement read = before;
   const auto refuses = [&](const ApplicationRecord& record) {
     return !read_placement(record, read) && equal(read, before);
   };
-  ApplicationRecord record = told.record;
+  ApplicationRecord record = written.record;
   record.kind = 241;
   CHECK(refuses(record));
-  Bytes longer(told.bytes, told.bytes + Placement::record_bytes);
+  Bytes longer(written.bytes, written.bytes + Placement::record_bytes);
   longer.push_back(0);
   for (const size_t count : {size_t{0}, Placement::record_bytes - 1, Placement::record_bytes + 1})
     CHECK(refuses({Placement::record_kind, 0, 0, longer.data(), count}));
@@ -109,8 +109,8 @@ TEST_CASE("a placement is received from a stream") {
   test::Line line;
   Encoder encoder;
   reference::require_ok(test::begin_stream(encoder, test::any_header(), line.output()));
-  const Told told(any_placement(Space::lps));
-  reference::require_ok(encoder.write_record(told.record));
+  const RecordBytes written(any_placement(Space::lps));
+  reference::require_ok(encoder.write_record(written.record));
   PlacementReceiver receiver;
   Decoder decoder;
   reference::require_ok(decoder.start(make_sink(receiver)));

@@ -262,8 +262,8 @@ TEST_CASE("starts anywhere on the lattice are decoded unchanged, also at the end
       [&](auto& model, bool writes) {
         Values coded;
         for (const Vertex& start : starts) {
-          const Vertex told = model.start(writes ? start : Vertex{0, 0, 0});
-          coded.insert(coded.end(), {told.x, told.y, told.z});
+          const Vertex coded_start = model.start(writes ? start : Vertex{0, 0, 0});
+          coded.insert(coded.end(), {coded_start.x, coded_start.y, coded_start.z});
         }
         return coded;
       },
@@ -285,12 +285,12 @@ TEST_CASE("all pairs of directions are decoded unchanged in every kind of chain"
             model.start({1, 1, 1});
             model.incidence(writes ? incidence : no_incidence);
             for (size_t i = 0; i < expected.size(); ++i) {
-              const auto told = writes ? static_cast<Direction>(expected[i]) : Direction{0};
+              const auto direction = writes ? static_cast<Direction>(expected[i]) : Direction{0};
               if (i % 2 == 0) {
-                coded.push_back(model.chain_direction(told));
+                coded.push_back(model.chain_direction(direction));
               } else {
                 const auto length = static_cast<uint32_t>(1 + i % 5);
-                const Run run = model.run(writes ? Run::straight(told, length) : Run());
+                const Run run = model.run(writes ? Run::straight(direction, length) : Run());
                 CHECK(run.length() == length);
                 coded.push_back(run.direction());
               }
@@ -325,19 +325,20 @@ TEST_CASE("the symbols of a ring are decoded unchanged") {
     check_round_trip(
         [&](auto& model, bool writes) {
           Values coded;
-          const auto told = [&] {
+          const auto next_symbol = [&] {
             return writes ? static_cast<uint32_t>(expected[coded.size()]) : 0;
           };
           model.start({1, 1, 1});
           model.incidence(writes ? incidence : no_incidence);
           for (uint32_t i = 0; i < contexts::of_corners(link_class); ++i)
-            if (reference::has_corners(link_class, i)) coded.push_back(model.corners(told()));
+            if (reference::has_corners(link_class, i))
+              coded.push_back(model.corners(next_symbol()));
           for (uint32_t i = 0; i < direction_count(incidence); ++i)
-            coded.push_back(model.ring_direction(told()));
-          for (uint32_t i = 0; i < 16; ++i) coded.push_back(model.two_lengths(told()));
+            coded.push_back(model.ring_direction(next_symbol()));
+          for (uint32_t i = 0; i < 16; ++i) coded.push_back(model.two_lengths(next_symbol()));
           model.begin_chain(0);
-          coded.push_back(model.is_last_run(told() != 0));
-          coded.push_back(model.is_last_run(told() != 0));
+          coded.push_back(model.is_last_run(next_symbol() != 0));
+          coded.push_back(model.is_last_run(next_symbol() != 0));
           return coded;
         },
         expected);
@@ -500,8 +501,8 @@ TEST_CASE("a fragment is coded from its nearer end, by cost: slice 64, row 8, vo
     if (start.x != end.x) go({2, 0, 0}, end.x - start.x + 1);
     Vertex vertex;
     const bool is_end = is_nearer_at_end(record, before, vertex);
-    const Vertex told = is_end ? end : start;
-    CHECK(vertex == before + told + told);
+    const Vertex nearer = is_end ? end : start;
+    CHECK(vertex == before + nearer + nearer);
     return is_end;
   };
   CHECK_FALSE(is_nearer({0, 0, 1}, {0, 8, 0}));
