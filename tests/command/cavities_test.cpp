@@ -41,7 +41,7 @@ TEST_CASE("a filled cavity loses the bodies inside it") {
   CHECK(left[0] == doctest::Approx(whole));
 }
 
-TEST_CASE("a body beside a cavity stays, also in the box around it") {
+TEST_CASE("filling a cavity keeps a body outside it, even within the cavity's bounding box") {
   BitVolume volume({20, 20, 20});
   // A cavity with three arms, and a body outside, between the arms.
   put_box(volume, {0, 0, 0}, {19, 6, 6}, 1);

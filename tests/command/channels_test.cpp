@@ -62,7 +62,8 @@ TEST_CASE_FIXTURE(Cone, "each of several surfaces has normals of its own") {
   }
 }
 
-TEST_CASE_FIXTURE(Cone, "without --channel the first is decoded, and a note lists all") {
+TEST_CASE_FIXTURE(Cone,
+                  "without --stream-channel the first surface is decoded, and a note lists all") {
   done("extract " + volume + "--iso 20 --iso 40 -o all.dmc");
   const auto first = run("decode all.dmc -o first.stl");
   CHECK(first.code == 0);

@@ -79,7 +79,7 @@ TEST_CASE("classic Marching Cubes is closed, manifold, and as large as the stati
   }
 }
 
-TEST_CASE("cells of any configuration fit each other") {
+TEST_CASE("classic Marching Cubes is closed for tilings of every configuration") {
   for (int configuration = 0; configuration < discmc::configurations; ++configuration) {
     INFO(configuration);
     const auto code = static_cast<discmc::Configuration>(configuration);

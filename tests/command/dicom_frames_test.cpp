@@ -108,14 +108,15 @@ TEST_CASE_FIXTURE(Folder, "samples of floating point are read in either byte ord
     }
 }
 
-TEST_CASE_FIXTURE(Folder, "words called bytes in big-endian files are read in their order") {
+TEST_CASE_FIXTURE(Folder,
+                  "32-bit samples in bytes (OB) of big-endian files are read as big-endian") {
   Dataset data = cone_beam();
   const auto values = changed(volume_values(), [](std::int64_t value) { return value * 70001; });
   const auto file = write("v.dcm", data.samples(values, 32, true, "OB").file(Order::big_endian));
   CHECK(read_samples(file) == as_read(values));
 }
 
-TEST_CASE_FIXTURE(Folder, "samples of a byte are read from words of big-endian files") {
+TEST_CASE_FIXTURE(Folder, "8-bit samples in words (OW) of big-endian files are read in order") {
   Dataset data = cone_beam();
   const auto values =
       changed(volume_values(), [](std::int64_t value) { return 100 + value % 100; });
@@ -174,14 +175,16 @@ TEST_CASE_FIXTURE(Dicom, "a dose whose offsets fall is read from its other end")
   }
 }
 
-TEST_CASE_FIXTURE(Dicom, "positions as offsets are along z where the normal points down") {
+TEST_CASE_FIXTURE(Dicom,
+                  "offsets that are positions follow z even if the slice normal points down") {
   Dataset data = dose("100\\102.5\\105\\107.5\\110");
   put_at(data, position(0), {1, 0, 0, 0, -1, 0});
   const VolumeInfo info = read_info(put(data));
   check_places(info, {-10, -20, 110}, {{{0.5, 0, 0}, {0, -0.75, 0}, {0, 0, -2.5}}});
 }
 
-TEST_CASE_FIXTURE(Dicom, "offsets that begin elsewhere or are uneven are refused") {
+TEST_CASE_FIXTURE(Dicom,
+                  "offsets of a dose that are uneven, or begin at neither 0 nor z, are refused") {
   const auto refused = [&](const std::string& offsets) { return refusal(put(dose(offsets))); };
   check_refusal(refused("40\\42.5\\45\\47.5\\50"),
                 "GridFrameOffsetVector begins with 40, which is neither 0 nor the z");

@@ -171,7 +171,7 @@ TEST_CASE("slices that lie on no line are refused") {
   check_refused(slices.path(), "is shifted sideways by 0.4 mm against IM");
 }
 
-TEST_CASE("slices that are a little aside are straight") {
+TEST_CASE("slices shifted by a few micrometres are read as straight") {
   const Slices slices([](Dataset& data, int z) {
     std::vector<double> place = position(z);
     place[0] += 0.002 * z;
@@ -319,7 +319,7 @@ TEST_CASE_FIXTURE(Folder, "files of several slices without positions are sorted 
   CHECK(read_samples(path(), ordered(SliceOrder::instance)) == as_read(expected));
 }
 
-TEST_CASE("slices without numbers or with the same are refused, and put in order by their names") {
+TEST_CASE("slices with missing or equal numbers are refused, and sorted by name on request") {
   Slices slices([](Dataset& data, int) { data.drop(0x00200032).drop(0x00200013); });
   check_refused(slices.path(), ordered(SliceOrder::instance), "has no InstanceNumber",
                 "--order name");

@@ -91,7 +91,8 @@ TEST_CASE_FIXTURE(Dicom, "volumes of ultrasound lie in their own space, in eithe
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Dicom, "MOSAIC in the image type is no mosaic where frames have positions") {
+TEST_CASE_FIXTURE(
+    Dicom, "frames with positions are not read as a mosaic, even if the image type has MOSAIC") {
   Dataset data = enhanced(depth, [](Dataset& group, int z) {
     place_frame(group, z);
     return slice_values(z);

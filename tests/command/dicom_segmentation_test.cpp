@@ -116,7 +116,7 @@ TEST_CASE_FIXTURE(Segments, "slices without any segment are empty") {
   CHECK(noted(reader->info(), "no two slices are the 2.5 mm of SpacingBetweenSlices apart"));
 }
 
-TEST_CASE_FIXTURE(Segments, "a SliceThickness that no two slices are apart is not their distance") {
+TEST_CASE_FIXTURE(Segments, "a SliceThickness that matches no distance between slices is ignored") {
   constexpr std::uint32_t thickness = 0x00180050;
   const VolumeInfo info = read_info(write_rib(
       {{3, 0, box(0, 1, 0, 1)}, {3, 2, box(0, 1, 0, 1)}, {3, 4, box(2, 3, 2, 3)}}, {thickness}));

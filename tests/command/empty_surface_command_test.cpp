@@ -132,7 +132,7 @@ TEST_CASE_FIXTURE(Workshop, "a volume filled by the median or infinite values is
                    "hole.nrrd: after --median every voxel reaches 5, so the surface is the box"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "an empty surface of a volume without numbers is reported") {
+TEST_CASE_FIXTURE(Workshop, "the message for a volume of NaN states that no value is finite") {
   write("v.nrrd", text_nrrd("float", "2 1 2", "nan nan nan nan"));
   fails("extract v.nrrd --iso 3 -o v.stl", 1, {"no voxel reaches 3, and no value is finite; "});
 }

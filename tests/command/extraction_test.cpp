@@ -66,7 +66,7 @@ std::string refusal(const BitVolume& volume, std::uint64_t memory) {
 
 }  // namespace
 
-TEST_CASE("sizes and progress are reported") {
+TEST_CASE("an extraction reports each slice, the number of voxels and the statistics") {
   const BitVolume volume = ball({9, 8, 7}, {8, 7, 6}, 9);
   ExtractionOptions with_progress = options();
   std::vector<std::uint32_t> slices;
@@ -77,7 +77,7 @@ TEST_CASE("sizes and progress are reported") {
   CHECK(extraction.statistics.fragments == 0);
 }
 
-TEST_CASE("the type of the samples makes no difference") {
+TEST_CASE("samples of every type give the same events") {
   const BitVolume volume = discmc::reference::random({8, 8, 8}, 128, 4);
   const Extracted bytes = extracted(volume, options());
   for (const auto& [called, type] : discmc::command::sample_types) {
@@ -107,7 +107,7 @@ TEST_CASE("the default memory suffices, and a scan uses no more than its memory"
   }
 }
 
-TEST_CASE("a scan that measures no memory has the same events") {
+TEST_CASE("measuring memory does not change the events") {
   for (const Border border : {Border::closed, Border::open})
     for (const BitVolume& volume :
          {checkerboard({20, 20, 6}), ball({30, 30, 30}, {29, 29, 29}, 196),
@@ -131,7 +131,7 @@ TEST_CASE("memory grows with the open fragments, not with the surface") {
   CHECK(used(100) == used(10));
 }
 
-TEST_CASE("too little memory is refused with the least that will do, which does") {
+TEST_CASE("the message for too little memory names the minimum, which suffices") {
   const BitVolume volume = discmc::reference::random({20, 20, 5}, 128, 3);
   const std::string text = refusal(volume, 7);
   INFO(text);

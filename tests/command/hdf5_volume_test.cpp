@@ -488,7 +488,7 @@ TEST_CASE_FIXTURE(Hdf5File, "_Unsigned changes the sign of whole numbers and of 
   }
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "a fill value that is not a number leaves all others as they are") {
+TEST_CASE_FIXTURE(Hdf5File, "a fill value of NaN leaves other samples unchanged") {
   for (const char* const name : {"_FillValue", "missing_value"}) {
     const bool is_nan = name[0] == '_';
     write_numbers(new_dataset(new_file(file), "density", {1, 2, 2}), name,

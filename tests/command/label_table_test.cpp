@@ -72,7 +72,7 @@ TEST_CASE("a table of BIDS has columns in any order") {
   CHECK(marked.at(7).name == "kidney");
 }
 
-TEST_CASE("a table of 3D Slicer between commas may have names of terms alone") {
+TEST_CASE("a comma-separated table of 3D Slicer may have coded terms in place of names") {
   const Labels table = table_of(
       "LabelValue,Name,Color_R,Color_G,Color_B,Color_A,Type_CodeMeaning,TypeModifier_CodeMeaning\n"
       "1,left_kidney,185,102,83,255,Kidney,Left\r\n"

@@ -40,7 +40,7 @@ struct LabelVolume : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(LabelVolume, "all labels are as many meshes, as if each were asked for alone") {
+TEST_CASE_FIXTURE(LabelVolume, "--labels all writes for each label the mesh that --label writes") {
   REQUIRE(shell("mkdir out").code == 0);
   const std::string output = done(extract + "--labels all -o 'out/{name}.stl'");
   for (const std::string label : {"1", "2", "9"}) {
@@ -53,7 +53,8 @@ TEST_CASE_FIXTURE(LabelVolume, "all labels are as many meshes, as if each were a
   CHECK(done(extract + "--labels all -q -o '{name}.stl'").empty());
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "names of labels that are paths lead out of no folder") {
+TEST_CASE_FIXTURE(LabelVolume,
+                  "label names that are paths cannot write outside the output folder") {
   write("table.txt", "1 ../../bone 1 2 3\n2 .. 4 5 6\n9 /tmp/bone 7 8 9\n");
   REQUIRE(shell("mkdir out").code == 0);
   done(extract + "--labels all --label-table table.txt -o 'out/{name}.stl'");
@@ -84,7 +85,8 @@ TEST_CASE_FIXTURE(LabelVolume, "a table names the meshes of labels") {
   CHECK(mesh_in("skin.ply").colour == Srgb{4, 5, 6});
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "the colour of a label is in OBJ, by a file beside it, and in VTP") {
+TEST_CASE_FIXTURE(LabelVolume,
+                  "OBJ has the colour of a label in a material file, and VTP in itself") {
   write("table.txt", "1 bone 51 102 255\n");
   const std::string label = extract + "--labels 1 --label-table table.txt ";
   done(label + "-o 'my {name}.obj'");
@@ -99,7 +101,8 @@ TEST_CASE_FIXTURE(LabelVolume, "the colour of a label is in OBJ, by a file besid
   CHECK(std::count(names.begin(), names.end(), "plain.mtl") == 0);
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "OBJ names that differ in spaces alone have own materials") {
+TEST_CASE_FIXTURE(LabelVolume,
+                  "OBJ labels whose names differ only in spaces have separate materials") {
   write("table.txt", "1 my_bone 51 102 255\n2 \"my bone\" 255 0 0\n");
   done(extract + "--labels 1,2 --label-table table.txt -o '{name}.obj'");
   CHECK(contains(read("my_bone.obj"), "\nmtllib my_bone.mtl\n"));
@@ -260,7 +263,8 @@ TEST_CASE_FIXTURE(Workshop, "the extension of TotalSegmentator in NIfTI names it
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "a folder or pattern of masks is a label a file, named after it") {
+TEST_CASE_FIXTURE(
+    Workshop, "a folder or pattern of masks is read as one label per file, named after the file") {
   const auto mask = [&](const std::string& samples) {
     return volume_files::gzip(volume_files::Nifti().dims({3, 4, 2, 3}).file(samples));
   };
@@ -364,7 +368,8 @@ TEST_CASE_FIXTURE(Workshop, "floating-point labels are rounded, with a note") {
   CHECK(contains(done("info f.raw --dims 4,2,3 --type f32"), "proposal --label N: one of 1 2 9\n"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "ids of 64 bits are distinguished, and no threshold is made of them") {
+TEST_CASE_FIXTURE(
+    Workshop, "labels of 64 bits are exact, and refused as thresholds that double cannot hold") {
   std::string samples;
   for (const char label : volume)
     samples += volume_files::bytes_of(
@@ -453,7 +458,7 @@ TEST_CASE_FIXTURE(LabelVolume, "a file of several meshes omits objects without t
   }
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "a note names the label that loses voxels to a choice") {
+TEST_CASE_FIXTURE(LabelVolume, "the note about --largest names the label that loses bodies") {
   write("table.txt", "1 bone 1 2 3\n2 skin 4 5 6\n");
   const std::string named = extract + "--label-table table.txt -q -o v.glb --largest 1 ";
   CHECK(run(named + "--labels all").error ==
@@ -462,7 +467,7 @@ TEST_CASE_FIXTURE(LabelVolume, "a note names the label that loses voxels to a ch
         "discmc: v.raw: skin: 1 of 2 bodies and cavities are kept\n");
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "control characters of names are not printed") {
+TEST_CASE_FIXTURE(LabelVolume, "control characters in label names are not printed") {
   write("table.txt", "1 \x1b[31mred 1 2 3\n2 bell\a 4 5 6\n");
   for (const std::string labels : {"--labels all", "--label 1 --label 2"})
     for (const std::string file : {"v.glb", "v.3mf", "'{name}.stl'"}) {
@@ -474,7 +479,8 @@ TEST_CASE_FIXTURE(LabelVolume, "control characters of names are not printed") {
     }
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "names too long for a file are cut, and stay apart") {
+TEST_CASE_FIXTURE(LabelVolume,
+                  "label names too long for a file name are shortened and stay distinct") {
   std::string whole;
   for (int i = 0; i < 50; ++i) whole += "\xC3\xA4";
   const std::string name = whole + whole + whole;  // 300 bytes

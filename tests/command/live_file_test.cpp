@@ -54,7 +54,7 @@ TEST_CASE("every reader of a pipe receives all bytes, however late") {
   CHECK(late.str() == early.str());
 }
 
-TEST_CASE("serving does not wait for a closed reader or the end of the pipe") {
+TEST_CASE("serving stops when its reader closes, before the pipe ends") {
   Pipe pipe;
   LiveFile live(pipe.path());
   pipe.open();

@@ -107,7 +107,7 @@ TEST_CASE_FIXTURE(Masked, "a mask applies to streams of both kinds and to pictur
   done("render " + with_mask + "--size 64,64 --shade smooth -o smooth.png" + layout);
 }
 
-TEST_CASE_FIXTURE(Workshop, "filters do not fill voxels outside the mask") {
+TEST_CASE_FIXTURE(Workshop, "--median does not turn on voxels outside the mask") {
   const auto box = discmc::reference::box({12, 12, 12}, {2, 2, 2}, {9, 9, 9});
   write("v.nrrd", box);
   std::string mask(12 * 12 * 12, '\1');

@@ -179,7 +179,7 @@ TEST_CASE("every format but STL keeps vertices far from the origin separate and 
   CHECK(read.vertices_mm.size() < mesh.vertices_mm.size());
 }
 
-TEST_CASE("meshes of one GLB file that are far away are seen from one origin") {
+TEST_CASE("meshes of one GLB file keep positions far from each other") {
   FileMesh near = build_mesh(octahedron(), {true, Faces::triangles}), far = near;
   for (Point& vertex : far.vertices_mm) vertex[1] += 1e8;
   std::ostringstream out;
@@ -190,7 +190,7 @@ TEST_CASE("meshes of one GLB file that are far away are seen from one origin") {
   CHECK(last[1] == doctest::Approx(far.vertices_mm.back()[1]).epsilon(1e-12));
 }
 
-TEST_CASE("floats are precise enough if their steps are small against voxels") {
+TEST_CASE("floats suit a mesh if their steps are small against its voxels") {
   FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   mesh.spacing_mm = {-1, 2, 3};
   for (const float distance : {1.0F, 1000.0F, 32767.9F, 32768.0F, 1e6F}) {

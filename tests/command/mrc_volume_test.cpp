@@ -45,7 +45,8 @@ class Map {
 
 const std::string i8 = stored(SampleType::i8);
 
-TEST_CASE_FIXTURE(Folder, "a map of any name is read, halves too, and complex modes are refused") {
+TEST_CASE_FIXTURE(
+    Folder, "MRC maps, also of half floats, are read under any name; complex modes are refused") {
   check_volume(write("no-name", Map(true).file(i8)), SampleType::i8, "MRC");
   const std::string halves = std::string("\0\x3c", 2) + std::string(118, '\0');
   const auto reader = open_volume(write("a.mrc", Map().mode(12).file(halves)));

@@ -46,7 +46,7 @@ std::unique_ptr<VolumeReader> written_and_opened(const volume_files::Folder& fol
 
 }  // namespace
 
-TEST_CASE("samples of any type are the same in the file") {
+TEST_CASE("samples of every type are written to NIfTI unchanged") {
   const volume_files::Folder folder;
   for (const auto& each : sample_types) {
     const SampleType type = each.second;
@@ -66,7 +66,7 @@ TEST_CASE("samples of any type are the same in the file") {
   }
 }
 
-TEST_CASE("the file contains the scale of its values and the spacing") {
+TEST_CASE("a NIfTI file has the slope, the intercept and the spacing") {
   const volume_files::Folder folder;
   VolumeInfo info = small_volume();
   info.slope = 0.1;
@@ -78,7 +78,7 @@ TEST_CASE("the file contains the scale of its values and the spacing") {
   CHECK(volume->info().spacing_mm == info.spacing_mm);
 }
 
-TEST_CASE("the file keeps the place of the volume") {
+TEST_CASE("a NIfTI file has the placement of the volume") {
   const volume_files::Folder folder;
   VolumeInfo info = small_volume();
   for (const Space space : {Space::ras, Space::lps}) {

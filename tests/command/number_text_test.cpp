@@ -6,7 +6,7 @@
 using discmc::command::decimal_number;
 using discmc::command::finite_number;
 
-TEST_CASE("a decimal number is read from its first character to its last") {
+TEST_CASE("a text is a decimal number only if it has no other characters") {
   const std::vector<std::pair<std::string, double>> numbers = {
       {"0", 0},  {"1", 1},       {"+1.5", 1.5}, {"-2e3", -2000}, {".5", 0.5},
       {"5.", 5}, {"1E-2", 0.01}, {"0.1", 0.1},  {"-0.0", 0}};

@@ -104,7 +104,7 @@ FaceMesh long_wall(const Point& near, const Point& far) {
 
 }  // namespace
 
-TEST_CASE("an octahedron from above is a square on its tip that fills the picture") {
+TEST_CASE("an octahedron seen from above is drawn as a square on its tip that fills the picture") {
   const Picture picture = draw(build_mesh(octahedron()), from_above(100));
   REQUIRE(picture.pixels.size() == 3 * 100 * 100);
   for (const int near : {8, 91}) {
@@ -162,7 +162,7 @@ TEST_CASE("near faces hide far ones, in any order of the faces") {
   }
 }
 
-TEST_CASE("the inside of an open mesh has a tone of its own") {
+TEST_CASE("the inside of an open mesh is drawn in another tone") {
   Surface surface = box_with_hole();
   surface.polygons = only(surface.polygons, {8});  // the bottom, seen from above
   const Pixel inside = pixel(draw(build_mesh(surface), from_above(64)), 8, 32);

@@ -145,7 +145,7 @@ TEST_CASE("the rim of a surface is rounded at a closed border, and flat at an op
   }
 }
 
-TEST_CASE("a relaxed ball is rounder than that of midpoints, in position and in direction") {
+TEST_CASE("a relaxed ball is closer to the sphere than midpoints, in position and direction") {
   const Field field = ball(44, 17.3);
   const Extracted of = extracted(field);
   const Crossings crossings = relaxed(field, of, 0);

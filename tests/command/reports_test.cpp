@@ -223,7 +223,8 @@ TEST_CASE_FIXTURE(Workshop, "a single distance holds for all axes") {
         {"2 distances are given; give one for all axes, or X,Y,Z"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a path into a zip names one file of it, and leads nowhere else") {
+TEST_CASE_FIXTURE(Workshop,
+                  "a path into a zip opens that file alone, and cannot lead out of the zip") {
   write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   if (shell("mkdir s && cp v.nrrd s/a.nrrd && cp v.nrrd s/b.nrrd && "
             "python3 -m zipfile -c s.mrb s")

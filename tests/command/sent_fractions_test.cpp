@@ -66,7 +66,8 @@ TEST_CASE("a stream with fractions has the crossings of the samples, within half
     }
 }
 
-TEST_CASE("relaxed crossings with fractions stay in their intervals and are closer") {
+TEST_CASE(
+    "relaxed crossings stay in the intervals of their fractions and are closer to the samples") {
   const Field field = ball(24, 9.3);
   const Extracted of = extracted(field);
   const ReceivedFractions received(encoded<std::uint8_t>(field, 2));

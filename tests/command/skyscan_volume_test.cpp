@@ -71,7 +71,7 @@ TEST_CASE("BMP of few bits and of colours is read") {
   CHECK(samples(colours, 1) == std::vector<double>{'g', 'G', '5', 'g', 'G', '2'});
 }
 
-TEST_CASE_FIXTURE(Folder, "a palette of colours is noted, and an order of greys undone") {
+TEST_CASE_FIXTURE(Folder, "a palette of colours is noted, and a palette of greys is applied") {
   Bmp bmp;
   bmp.palette = little(0, 4) + little(0xff0000, 4) + std::string(254 * 4, '\1');
   const auto reds = open_volume(write("v.bmp", bmp.bytes()));

@@ -157,7 +157,7 @@ TEST_CASE_FIXTURE(Slabs, "the report of a join matches its output, also with a t
   }
 }
 
-TEST_CASE_FIXTURE(Slabs, "the depth of a volume may be only in the records of its slabs") {
+TEST_CASE_FIXTURE(Slabs, "join finds the depth of a volume in the records of its slabs") {
   done(volume + "-o whole.dmc");
   write_slabs(3);
   for (const std::string part : {"part1.dmc", "part2.dmc", "part3.dmc"}) forget_depth(part);

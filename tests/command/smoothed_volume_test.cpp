@@ -272,7 +272,7 @@ TEST_CASE("a smoothed ball of voxels is round, also with voxels three times as l
             .epsilon(0.012));
 }
 
-TEST_CASE("every voxel stays on its side of the smooth surface, and flat faces where they were") {
+TEST_CASE("smoothing keeps voxels on their side and does not move flat faces") {
   const BitVolume ball = ball_of_long_voxels();
   const std::vector<float> all = smoothed(ball, long_voxels, 3).samples;
   for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] * (ball.on[i] != 0 ? 1 : -1) >= 0.05F);
@@ -416,7 +416,7 @@ TEST_CASE("labels that fill the volume to its corners each lack an equal share o
   CHECK(shares[0] == doctest::Approx(shares[1]).epsilon(0.001));
 }
 
-TEST_CASE("samples are no labels to smooth, and progress is reported as they are read") {
+TEST_CASE("smoothing refuses more than 1,024 scattered labels, and reports each slice") {
   std::vector<int> samples(max_scattered_labels + 2);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i);
   SampleReader scattered({max_scattered_labels + 2, 1, 1}, samples, {1, 1, 1}, SampleType::u16);

@@ -82,7 +82,7 @@ TEST_CASE("pieces without a partner are delivered loose, through a file as well"
   CHECK(normals_of(spilled) == normals_of(in_memory));
 }
 
-TEST_CASE("only a fragment that breaks off is lost, through a file as well") {
+TEST_CASE("the loss of a fragment loses no other piece, through a file as well") {
   Events sent_pieces = pieces_with_normals();
   Event lost{};
   lost.kind = Event::Kind::lost;

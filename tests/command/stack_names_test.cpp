@@ -69,7 +69,7 @@ TEST_CASE("a pattern that selects two stacks is refused like their folder") {
   CHECK(slices(advised(text)) == 2);
 }
 
-TEST_CASE("a pattern is advised also for names that contain signs of patterns") {
+TEST_CASE("a pattern is advised also for names that contain wildcards") {
   const Pictures pictures({"[a]*1.png", "[a]*2.png", "b1.png"});
   const std::string text = refusal(pictures.path());
   CHECK(slices(advised(text)) == 2);

@@ -247,7 +247,7 @@ TEST_CASE("regions that are only counted give the figures of regions that are ke
   CHECK(counts.of_more_corners == regions - by_corners[3] - by_corners[4]);
 }
 
-TEST_CASE("polygons are sorted by their last vertices, from below") {
+TEST_CASE("polygons are sorted by z, y and x of their last vertices") {
   // The heights are so far apart that polygons of two of them have equal sort keys.
   const Corners order = {{1, 2, -1}, {9, -1, 0}, {-1, 4, 0},    {7, 4, 0},
                          {3, 6, 0},  {1, 0, 8},  {9, 8, 5'997}, {1, 0, 5'998}};

@@ -42,7 +42,8 @@ struct Ball : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop, "the page of a volume has its samples, and lies beside the user") {
+TEST_CASE_FIXTURE(Workshop,
+                  "the page of a volume contains its samples and has the name of the volume") {
   write_in_space(*this);
   if (!has_page(*this)) return;
   CHECK(contains(done("view v.nrrd --no-open"), "v.html: "));
@@ -62,7 +63,8 @@ TEST_CASE_FIXTURE(Ball, "the page of a stream has its mesh if the kind of surfac
   CHECK(read("inside.glb").substr(0, 4) == "glTF");
 }
 
-TEST_CASE_FIXTURE(Ball, "the page of a threshold has the slices of its surface alone") {
+TEST_CASE_FIXTURE(Ball,
+                  "the page of a volume with --iso contains a stream of slices of that surface") {
   if (!has_page(*this)) return;
   done("view v.nrrd --iso 100 --median 3 -o page.html --no-open");
   CHECK(unpack(*this, "page.html", "inside.dmc") == "v.nrrd at 100.dmc");

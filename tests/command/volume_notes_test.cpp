@@ -38,7 +38,8 @@ VolumeOptions raw_options() {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "a file of each format without placement has exactly these notes") {
+TEST_CASE_FIXTURE(
+    Folder, "each format without a placement has exactly the notes of missing spacing and axes") {
   Nifti nifti;
   nifti.integer(123, 1, 0);
   const std::vector<std::pair<fs::path, Notes>> files = {

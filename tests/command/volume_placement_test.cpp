@@ -205,7 +205,7 @@ TEST_CASE_FIXTURE(Headers, "a qform of NIfTI that is mirrored against the sform 
   check_placement(mirrored, Space::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
 }
 
-TEST_CASE_FIXTURE(Headers, "a negative distance in NIfTI is taken as positive, with a note") {
+TEST_CASE_FIXTURE(Headers, "a negative distance in NIfTI is read as positive, with a note") {
   const VolumeInfo info = nifti_info(nifti_of_spacing().real(84, -2));
   CHECK(info.spacing_mm == Vector{0.5, 2, 3});
   CHECK(noted(info, "pixdim 2 is negative, and read as positive"));

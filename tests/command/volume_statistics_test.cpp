@@ -56,7 +56,7 @@ std::string complaint(ThresholdRule rule, const VolumeStatistics& statistics) {
 
 }  // namespace
 
-TEST_CASE("percentiles are samples not exceeded by the given share") {
+TEST_CASE("a percentile is the sample that the given share of samples does not exceed") {
   std::vector<int> samples;
   for (int i = 200; i > 0; --i) samples.push_back(i);
   const VolumeStatistics statistics = statistics_of(samples, SampleType::u8);

@@ -85,7 +85,7 @@ TEST_CASE_FIXTURE(
   check_volume(image, "OME-Zarr");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "a level whose slices are too large is passed over") {
+TEST_CASE_FIXTURE(ZarrFolder, "a level with slices that are too large is skipped") {
   write_image(image, zyx_axes, dataset("0", "[1, 1, 1]") + ", " + dataset("1", "[4, 3, 5]"));
   write_array(image / "0", {4, 3, 40000}, u8);
   write_array(image / "1", {4, 3, 5}, u8);
@@ -409,7 +409,8 @@ TEST_CASE_FIXTURE(ZarrFolder, "a small array that claims large slices or chunks 
   check_refusal(refusal_of("[1, 3, 5]", "[1024, 1024, 1024]"), "more than 2 GiB");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "filters that shuffle, add up and round are undone") {
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "the Zarr filters shuffle, delta, quantize and bitround are decoded") {
   const auto values_of = [&](const std::string& filters, const std::string& samples,
                              const std::string& dtype) {
     write_array(array, {1, 2, 2}, samples, dtype);

@@ -96,7 +96,7 @@ TEST_CASE_FIXTURE(Folder, "a pattern selects files in a zip, as the refusal advi
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a signal removes the unpacked zip, and two may be open") {
+TEST_CASE_FIXTURE(Folder, "no unpacked zip is left after a signal, or after two are open at once") {
   const TemporaryFiles temporary;
   const std::string packed = zip(members_of(files / "dicom/series", "")),
                     command = std::string("'") + DISCMC_COMMAND + "' ",
@@ -107,12 +107,13 @@ TEST_CASE_FIXTURE(Folder, "a signal removes the unpacked zip, and two may be ope
                               "extract study.zip --iso=-1000 -q -o v.stl; sleep 1; }";
   CHECK(std::system(stopped.c_str()) == 0);
   CHECK(temporary.folders_of_zips() == 0);
-  const std::string both = place + command + "compare study.zip study.zip --iso=-1000 >messages 2>&1";
+  const std::string both =
+      place + command + "compare study.zip study.zip --iso=-1000 >messages 2>&1";
   CHECK(std::system(both.c_str()) == 0);
   CHECK(temporary.folders_of_zips() == 0);
 }
 
-TEST_CASE("errors name the archive, and its member if one is concerned") {
+TEST_CASE("errors name the archive, and the member if a member is at fault") {
   Members members = members_of(files / "dicom/series", "series/");
   REQUIRE(members.size() == 5);
   Members fewer = members;

@@ -113,7 +113,7 @@ TEST_CASE("samples that are not consecutive have the same fractions") {
   CHECK(have_fractions(received.rows, volume, 10, 4));
 }
 
-TEST_CASE("rows that are skipped have no fractions, nor have the edges to them") {
+TEST_CASE("skipped rows, and edges to skipped rows, have no fractions") {
   const auto check = [](const Size& size, uint32_t interval) {
     CAPTURE(size.height);
     const SampleVolume<uint8_t> volume = wave<uint8_t>(size, 100, 90);
@@ -248,7 +248,7 @@ TEST_CASE("a code of fractions that no encoder wrote is reported") {
   CHECK(unreadable > 100);
 }
 
-TEST_CASE("a late receiver passes over the edges into its first slice") {
+TEST_CASE("a late receiver skips the fractions of edges from a slice that it missed") {
   const Size size{40, 6, 12};
   const BitVolume volume = reference::random(size, 128, 3);
   SlicePlan plan{1};
@@ -529,7 +529,7 @@ TEST_CASE("codes cut within fractions match their golden stream") {
   check_golden("fractions_cut.dmc", stream_on_the_edge(2), volume, {20000}, 2);
 }
 
-TEST_CASE("a midpoint has the fraction of its edge") {
+TEST_CASE("edge_midpoint() and fraction_of() return the midpoint and the fraction of an axis") {
   CHECK(edge_midpoint(4, 5, 6, 0) == Vertex{7, 10, 12});
   CHECK(edge_midpoint(4, 5, 6, 1) == Vertex{8, 9, 12});
   CHECK(edge_midpoint(4, 5, 6, 2) == Vertex{8, 10, 11});

@@ -156,7 +156,7 @@ TEST_CASE("the sign of a ring is right for any number of turns") {
   }
 }
 
-TEST_CASE("balls have the known counts") {
+TEST_CASE("balls yield the recorded counts") {
   constexpr Size size{100, 100, 100};
   constexpr Vertex centre{100, 100, 100};
   check_known(ball(size, centre, 1004), {37784, 46040, 2422, 2466, 32880});
@@ -164,7 +164,7 @@ TEST_CASE("balls have the known counts") {
   check_known(ball(size, centre, 1002), {37784, 45944, 2328, 2374, 32208});
 }
 
-TEST_CASE("a ball of radius 120 between voxels has the known counts") {
+TEST_CASE("a ball of radius 120 centred between voxels yields the recorded counts") {
   check_known(ball({256, 256, 256}, {255, 255, 255}, 120 * 120),
               {542924, 663116, 37558, 37746, 484992});
 }
@@ -180,7 +180,7 @@ TEST_CASE("events do not depend on index width and capacities while no fragment 
     }
 }
 
-TEST_CASE("the events depend on no index width under pressure either") {
+TEST_CASE("the events do not depend on the index width even if slots run short") {
   for (uint64_t seed = 0; seed < 300; ++seed) {
     const BitVolume volume = small_random(seed);
     const auto extra = static_cast<uint32_t>(seed % 50);

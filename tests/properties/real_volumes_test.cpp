@@ -101,7 +101,7 @@ TEST_CASE("real volumes are swept as in the paper at every threshold") {
     }
 }
 
-TEST_CASE("the CT head's skin in 96 KiB has the known counts and no loose fragments") {
+TEST_CASE("the CT head's skin in 96 KiB yields the recorded counts and no loose fragments") {
   const fs::path file = ct_head();
   if (file.empty()) return;
   for (const Border border : borders) {

@@ -88,7 +88,7 @@ TEST_CASE("the default capacities fit in the given bytes for any limits") {
   });
 }
 
-TEST_CASE("the default capacities fit in every single number of bytes") {
+TEST_CASE("the default capacities fit in the given memory for each number of bytes") {
   for (const uint32_t width : {1U, 2U, 31U, 100U})
     for (uint64_t extra = 0; extra < 5000; ++extra) {
       const Limits limits{width, 5, extra % 2 == 0 ? Border::closed : Border::open};

@@ -80,7 +80,7 @@ TEST_CASE("an empty run does not absorb the first links of direction 0") {
   CHECK(run == Run::straight(0, 4));
 }
 
-TEST_CASE("a chain there and back is closed with no area, and a shorter one is open") {
+TEST_CASE("a chain that returns to its start along its own links is closed and has no area") {
   for_each_incidence([](Incidence incidence) {
     const int half = direction_count(incidence) / 2;
     for (int direction = 0; direction < half; ++direction) {

@@ -114,7 +114,7 @@ TEST_CASE("the numbers of edges may wrap") {
   CHECK(counter.missed_before(numbered_edge(1)) == 2);
 }
 
-TEST_CASE("a long interval is a loss after a full queue, else a stage that stood still") {
+TEST_CASE("a long interval counts as missed edges only if the queue was full before it") {
   EdgeCounter counter;
   for (std::uint64_t i = 0; i < 20; ++i) CHECK(counter.missed_before(edge_at(i * 2 * ms)) == 0);
   CHECK(counter.missed_before(edge_at(60 * ms)) == 0);

@@ -155,14 +155,14 @@ TEST_CASE("repeated and late rows are dropped, and gaps in the numbers are accep
   device.accept_row(1000);
 }
 
-TEST_CASE("the highest row number has no successor") {
+TEST_CASE("the highest row number is dropped, and numbers do not wrap to 0") {
   Device device = started();
   CHECK(device.accept(row_frame_of(UINT32_MAX)) == Events{Event::dropped});
   device.accept_row(UINT32_MAX - 1);
   CHECK(device.accept(row_frame_of(0)) == Events{Event::dropped});
 }
 
-TEST_CASE("a row without room at any of its samples is dropped") {
+TEST_CASE("a row is dropped if the buffer has no room at any of its samples") {
   const Bytes bytes = row_frame_of(0);
   for (size_t place = 0; place < bytes.size(); ++place) {
     CAPTURE(place);

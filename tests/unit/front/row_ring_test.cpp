@@ -95,7 +95,7 @@ TEST_CASE("rows are read in order, and lost rows are marked in their place") {
   CHECK(ring.block.is_intact());
 }
 
-TEST_CASE("rows ahead of the next one are free while the ring has room") {
+TEST_CASE("free_row(ahead) returns a row only if the ring has room for it") {
   for (const uint32_t rows : {1U, 2U, 3U, 7U}) {
     Ring ring(rows);
     Task task;

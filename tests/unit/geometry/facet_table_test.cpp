@@ -81,7 +81,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("shapes are numbered as promised") {
+TEST_CASE("shape numbers match facet_table.hpp") {
   for_each_facet([](Facet facet) {
     const Incidence incidence = incidence_of(facet);
     const Vertex n = incidence_normal(incidence);

@@ -103,7 +103,7 @@ TEST_CASE(
   CHECK(angles[angles.size() / 2] < 0.33);
 }
 
-TEST_CASE("the octahedron's rim belongs to its upper half, and its lowest corner is unique") {
+TEST_CASE("directions on the octahedron's rim and straight down have one encoding each") {
   CHECK(octahedral_normal({0, 0, 1}) == OctahedralNormal{128, 128});
   CHECK(octahedral_normal({1, 0, 0}) == OctahedralNormal{255, 128});
   CHECK(octahedral_normal({1, 1, 0}) == OctahedralNormal{192, 192});  // folding would make it 191

@@ -103,7 +103,7 @@ TEST_CASE("the shape of a treap depends on its nodes, not on the order of the ca
   }
 }
 
-TEST_CASE("no order and no step of numbers makes a treap deep") {
+TEST_CASE("a treap stays shallow for any order and any step of numbers") {
   constexpr uint32_t count = 4000;
   std::vector<int32_t> keys(count);
   for (uint32_t i = 0; i < count; ++i) keys[i] = static_cast<int32_t>(i);

@@ -875,7 +875,7 @@ TEST_CASE("a region interrupted by the finish event claims no holes") {
   CHECK(joined == expected);
 }
 
-TEST_CASE("a ring that turns neither way is no region") {
+TEST_CASE("a ring that winds by zero is not delivered as a region") {
   // An eight.
   std::vector<Run> runs = square_runs(2);
   for (const int direction : {4, 2, 0, 6})

@@ -171,7 +171,7 @@ TEST_CASE("the rings inside an outer ring are found, and those around which a ho
   CHECK(insides > 1000);
 }
 
-TEST_CASE("outer rings leave from the lowest on, and those of one height in their order") {
+TEST_CASE("outer rings are removed from the lowest on, and equal ones in order of arrival") {
   Waiting waiting;
   std::vector<uint32_t> low, high;
   for (int32_t i = 0; i < 40; ++i) {
@@ -190,7 +190,7 @@ TEST_CASE("outer rings leave from the lowest on, and those of one height in thei
   CHECK(waiting.has_any(up, {0, 0, 1}));
 }
 
-TEST_CASE("outer rings leave from the lowest on, for any start and any order of joining") {
+TEST_CASE("outer rings are removed from the lowest on for any start and any order of joining") {
   Chance chance(2);
   for (int round = 0; round < 1000; ++round) {
     Waiting waiting;

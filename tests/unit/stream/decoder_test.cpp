@@ -608,7 +608,7 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
   CHECK(arrival.events == expected);
 }
 
-TEST_CASE("a fragment coded backwards begins where its runs lead back to") {
+TEST_CASE("a fragment coded backwards is decoded with its start and its runs in order") {
   CHECK(decode(stream_of({payload_of([](auto& model) {
           code_fragment(model, 2, {{4, 10}, {6, 20}});
         })}))
@@ -1024,7 +1024,7 @@ TEST_CASE("a part of another incidence or kind does not continue the open piece"
     }
 }
 
-TEST_CASE("two runs there and back are decoded up to the longest compact run") {
+TEST_CASE("a ring of two opposite runs is decoded up to the longest compact run") {
   for (const uint32_t length : {1U, detail::stream::max_compact_length}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_ring(model);
