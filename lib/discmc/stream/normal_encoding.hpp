@@ -64,16 +64,16 @@ void encode_normals(Model& model, const Record& record, const OctahedralNormal* 
       before = &normals[i++];
     }
   };
-  uint32_t all = 0, runs = 0;
-  bool is_any = false;
+  uint32_t differences = 0, runs = 0;
+  bool has_normals = false;
   for_each([&](OctahedralNormal normal, OctahedralNormal before, bool) {
-    all |= number_of(before.u, normal.u) | number_of(before.v, normal.v);
-    is_any = is_any || !normal.is_none();
+    differences |= number_of(before.u, normal.u) | number_of(before.v, normal.v);
+    has_normals = has_normals || !normal.is_none();
     ++runs;
   });
-  if (!is_any) return;
+  if (!has_normals) return;
   uint32_t bits = 0;
-  while (all >> bits != 0) ++bits;
+  while (differences >> bits != 0) ++bits;
   const uint32_t total = 16 + 2 * bits * (runs - 1);
   const uint32_t bytes = (total + 7) / 8;
   model.record_kind(RecordKind::extension);

@@ -109,10 +109,10 @@ PacketReader::Completed PacketReader::note_damaged() {
 }
 
 PacketReader::Completed PacketReader::open_frame(size_t bytes) {
-  const size_t plain = detail::cobs::unstuff(frame_, bytes);
-  const bool is_packet = plain >= detail::wire::packet_head + detail::wire::packet_tail &&
-                         plain <= detail::wire::max_packet;
-  return is_packet ? open_packet(plain) : note_damaged();
+  const size_t plain_bytes = detail::cobs::unstuff(frame_, bytes);
+  const bool is_packet = plain_bytes >= detail::wire::packet_head + detail::wire::packet_tail &&
+                         plain_bytes <= detail::wire::max_packet;
+  return is_packet ? open_packet(plain_bytes) : note_damaged();
 }
 
 PacketReader::Completed PacketReader::open_packet(size_t bytes) {
@@ -195,8 +195,8 @@ bool PacketReader::is_on_channel(uint32_t tag) const {
 bool PacketReader::accept_number(const uint8_t* packet) {
   if (detail::wire::is_of_slices(packet[0])) return accept_long_number(packet);
   const uint8_t number = packet[1];
-  const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
-  const uint16_t pieces = static_cast<uint16_t>(low - pieces_passed_);
+  const uint32_t piece_count = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
+  const uint16_t pieces = static_cast<uint16_t>(piece_count - pieces_passed_);
   const uint8_t gap = static_cast<uint8_t>(number - packets_passed());
   const bool is_trailer = packet[0] == static_cast<uint8_t>(detail::wire::PacketKind::trailer);
   if (packets_passed() > 0 && !is_trailer && (pieces >= 0x8000 || (pieces == 0 && gap >= 128))) {

@@ -44,20 +44,20 @@ void PacketWriter::seal(detail::wire::PacketKind kind, uint8_t* end) {
 }
 
 void PacketWriter::seal_header() {
-  uint8_t* to =
+  uint8_t* end =
       detail::wire::put(payload(), detail::wire::magic | uint32_t{detail::wire::version} << 24, 4);
-  to = detail::wire::put(to, header_.width, 2);
-  to = detail::wire::put(to, header_.height, 2);
-  to = detail::wire::put(to, header_.depth, 4);
+  end = detail::wire::put(end, header_.width, 2);
+  end = detail::wire::put(end, header_.height, 2);
+  end = detail::wire::put(end, header_.depth, 4);
   for (const int32_t spacing : header_.spacing_nm)
-    to = detail::wire::put(to, static_cast<uint32_t>(spacing), 4);
-  to = detail::wire::put(to, static_cast<uint32_t>(header_.thresholds[0]), 4);
-  to = detail::wire::put(to, flags_, 1);
-  to = detail::wire::put(to, packets_, 4);
-  to = detail::wire::put_long(to, pieces_);
+    end = detail::wire::put(end, static_cast<uint32_t>(spacing), 4);
+  end = detail::wire::put(end, static_cast<uint32_t>(header_.thresholds[0]), 4);
+  end = detail::wire::put(end, flags_, 1);
+  end = detail::wire::put(end, packets_, 4);
+  end = detail::wire::put_long(end, pieces_);
   for (uint32_t surface = 1; surface < header_.surface_count; ++surface)
-    to = detail::wire::put(to, static_cast<uint32_t>(header_.thresholds[surface]), 4);
-  seal(detail::wire::PacketKind::header, to);
+    end = detail::wire::put(end, static_cast<uint32_t>(header_.thresholds[surface]), 4);
+  seal(detail::wire::PacketKind::header, end);
   packets_since_header_ = 0;
 }
 
@@ -68,41 +68,42 @@ DISCMC_ALWAYS_INLINE void PacketWriter::put_delimiter() {
 }
 
 void PacketWriter::seal_trailer(const Event& finish) {
-  uint8_t* to = detail::wire::put(payload(), finish.slice, 4);
-  to = detail::wire::put(to, finish.is_abandoned ? 1 : 0, 1);
+  uint8_t* end = detail::wire::put(payload(), finish.slice, 4);
+  end = detail::wire::put(end, finish.is_abandoned ? 1 : 0, 1);
   for (const auto total : detail::wire::trailer_totals)
-    to = detail::wire::put_long(to, finish.statistics->*total);
+    end = detail::wire::put_long(end, finish.statistics->*total);
   is_under_way_ = false;
-  seal(detail::wire::PacketKind::trailer, detail::wire::put(to, digest_, 4));
+  seal(detail::wire::PacketKind::trailer, detail::wire::put(end, digest_, 4));
 }
 
 void PacketWriter::seal_slices_trailer(uint32_t slices, bool is_abandoned, uint64_t rows,
                                        uint64_t skipped_rows) {
-  uint8_t* to = detail::wire::put(payload(), slices, 4);
-  to = detail::wire::put(to, is_abandoned ? 1 : 0, 1);
-  to = detail::wire::put_long(to, rows);
-  to = detail::wire::put_long(to, skipped_rows);
+  uint8_t* end = detail::wire::put(payload(), slices, 4);
+  end = detail::wire::put(end, is_abandoned ? 1 : 0, 1);
+  end = detail::wire::put_long(end, rows);
+  end = detail::wire::put_long(end, skipped_rows);
   is_under_way_ = false;
-  seal(detail::wire::PacketKind::slices_trailer, detail::wire::put(to, digest_, 4));
+  seal(detail::wire::PacketKind::slices_trailer, detail::wire::put(end, digest_, 4));
 }
 
 void PacketWriter::seal_application(detail::wire::PacketKind kind,
                                     const ApplicationRecord& record) {
-  uint8_t* to = detail::wire::put(payload(), record.kind, 1);
-  to = detail::wire::put(to, record.slice, 4);
-  to = detail::wire::put(to, record.row, 4);
-  for (size_t i = 0; i < record.count; ++i) *to++ = record.bytes[i];
-  seal(kind, to);
+  uint8_t* end = detail::wire::put(payload(), record.kind, 1);
+  end = detail::wire::put(end, record.slice, 4);
+  end = detail::wire::put(end, record.row, 4);
+  for (size_t i = 0; i < record.count; ++i) *end++ = record.bytes[i];
+  seal(kind, end);
 }
 
 void PacketWriter::seal_appended(const RecordsPacket& packet) {
-  uint8_t* to = payload();
-  for (size_t i = 0; i < packet.bytes; ++i) *to++ = packet.payload[i];
+  uint8_t* end = payload();
+  for (size_t i = 0; i < packet.bytes; ++i) *end++ = packet.payload[i];
   pieces_ += packet.pieces;
-  if (packet.is_whole) to = detail::wire::put(to, packet.pieces, detail::wire::whole_regions_tail);
+  if (packet.is_whole)
+    end = detail::wire::put(end, packet.pieces, detail::wire::whole_regions_tail);
   seal(
       packet.is_whole ? detail::wire::PacketKind::whole_regions : detail::wire::PacketKind::records,
-      to);
+      end);
 }
 
 bool PacketWriter::drain() {

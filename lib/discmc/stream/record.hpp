@@ -25,8 +25,8 @@ struct Record {
   uint32_t word[max_words] = {};
 
   /// Empties the record and makes it the first part of a region.
-  void begin(Incidence ring_incidence) {
-    incidence = ring_incidence;
+  void begin(Incidence region_incidence) {
+    incidence = region_incidence;
     incoming = 0;
     is_fragment = false;
     continues = false;

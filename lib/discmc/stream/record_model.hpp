@@ -112,8 +112,8 @@ constexpr uint32_t first_back(Incidence incidence) {
 /// The maximum length of a run in a whole region. A region with a longer run is sent in parts.
 constexpr uint32_t max_compact_length = 0xFFFF;
 
-/// The grammar of records, and the state that continues from record to record of a packet. A copy
-/// is a snapshot. Coder has: bool writes, uint32_t symbol(uint32_t context, uint32_t symbol),
+/// Codes the symbols of records. Its state continues from record to record of a packet. A copy is a
+/// snapshot. Coder has: bool writes, uint32_t symbol(uint32_t context, uint32_t symbol),
 /// uint32_t raw_bits(uint32_t bits, uint32_t value) for up to 8 bits.
 template <class Coder>
 class RecordModel {

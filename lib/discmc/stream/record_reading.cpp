@@ -12,9 +12,9 @@ bool is_length(int32_t value) {
 
 // Reads the first direction of a ring; none if the plane does not have it.
 Direction read_ring_direction(ReadingModel& model, Incidence incidence) {
-  const uint32_t from = model.ring_direction(0);
-  if (from >= model.directions()) return no_direction;
-  const uint32_t direction = first_back(incidence) + from;
+  const uint32_t offset = model.ring_direction(0);
+  if (offset >= model.directions()) return no_direction;
+  const uint32_t direction = first_back(incidence) + offset;
   const auto first = static_cast<Direction>(
       direction < model.directions() ? direction : direction - model.directions());
   model.begin_chain(first);
@@ -51,34 +51,35 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   const uint32_t base = model.link_class() + 1;
   const uint32_t turns[] = {1 + code % base, 1 + code / base % base, 1 + code / base / base};
   const uint32_t sum = turns[0] + turns[1] + turns[2];
-  const uint32_t coded = sum == directions ? 1 : 2;  // lengths of three runs, or of four
+  const uint32_t coded_lengths = sum == directions ? 1 : 2;  // lengths of three runs, or of four
   const uint32_t first = read_ring_direction(model, record.incidence);
-  if (first == no_direction || !record.has_room(coded + 2)) return false;
+  if (first == no_direction || !record.has_room(coded_lengths + 2)) return false;
   Direction direction[4] = {static_cast<Direction>(first)};
   for (uint32_t i = 0; i < 3; ++i) {
     const uint32_t next = direction[i] + turns[i];
     direction[i + 1] = static_cast<Direction>(next < directions ? next : next - directions);
   }
   uint32_t lengths[2];
-  if (coded == 1) {
+  if (coded_lengths == 1) {
     lengths[0] = model.length(contexts::lengths, direction[0], 1);
   } else {
-    const uint32_t two = model.two_lengths(0);
-    lengths[0] = 1 + two / 4;
-    lengths[1] = 1 + two % 4;
+    const uint32_t length_pair = model.two_lengths(0);
+    lengths[0] = 1 + length_pair / 4;
+    lengths[1] = 1 + length_pair % 4;
     for (uint32_t i = 0; i < 2; ++i)
       if (lengths[i] == 4) lengths[i] = 3 + model.length(contexts::longer, direction[i], 1);
   }
   const uint32_t begin = record.count;
-  for (uint32_t i = 0; i < coded; ++i) {
+  for (uint32_t i = 0; i < coded_lengths; ++i) {
     if (lengths[i] - 1 >= max_compact_length) return false;
     record.add_run(Run::straight(direction[i], lengths[i]));
   }
   const PlaneStep* const steps = plane_steps_of(model.link_class());
-  const Closure closure = close_ring(steps[direction[coded]], steps[direction[coded + 1]],
-                                     vector_back(record, begin, steps));
-  record.add_run(Run::straight(direction[coded], closure.first));
-  record.add_run(Run::straight(direction[coded + 1], closure.second));
+  const Closure closure =
+      close_ring(steps[direction[coded_lengths]], steps[direction[coded_lengths + 1]],
+                 vector_back(record, begin, steps));
+  record.add_run(Run::straight(direction[coded_lengths], closure.first));
+  record.add_run(Run::straight(direction[coded_lengths + 1], closure.second));
   return closure.is_valid;
 }
 

@@ -167,11 +167,12 @@ void BitRows::next_slice() {
 
 bool BitRows::is_off_around(int32_t y) const {
   const uint32_t row = static_cast<uint32_t>(y);
-  const uint32_t there = slices_ == 0 ? 0 : height_;
+  const uint32_t available_rows = slices_ == 0 ? 0 : height_;
   const uint32_t back = rows_ + height_ - row;  // number of rows since it arrived
   uint32_t on = 0;
-  if (row < there) on |= *row_before(back);
-  if (row + 1 < there) on |= *row_before(back - 1);  // beyond the height for a row before the first
+  if (row < available_rows) on |= *row_before(back);
+  if (row + 1 < available_rows)
+    on |= *row_before(back - 1);  // beyond the height for a row before the first
   if (row < rows_) on |= *row_before(back - height_);
   return (on & on_mark) == 0;
 }
@@ -182,12 +183,12 @@ void BitRows::find_around(int32_t y, RowBlock& block) const {
   uint32_t back = rows_ + 1 - static_cast<uint32_t>(y);
   const uint32_t* const off = row_off();
   for (uint32_t k = 3; k-- > 0; back += height_) {
-    const uint32_t there = slices_ + k < 2 ? 0 : k == 2 ? rows_ : height_;
+    const uint32_t available_rows = slices_ + k < 2 ? 0 : k == 2 ? rows_ : height_;
     const uint32_t* next = row_before(back);
     const uint32_t** const row = block.row[k];
     const uint32_t first = static_cast<uint32_t>(y) - 1;
     const uint32_t* const last = next + words_ + words_;
-    if (first < there && first + 2 < there && last < off) {
+    if (first < available_rows && first + 2 < available_rows && last < off) {
       row[0] = next;
       row[1] = next + words_;
       row[2] = last;
@@ -195,7 +196,7 @@ void BitRows::find_around(int32_t y, RowBlock& block) const {
     }
     for (uint32_t j = 0; j < 3; ++j) {
       // Exceeds the height for a row before the first.
-      row[j] = first + j < there ? next : off;
+      row[j] = first + j < available_rows ? next : off;
       next += words_;
       if (next == off) next = ring_;
     }

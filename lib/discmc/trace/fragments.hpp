@@ -102,13 +102,14 @@ class Fragments {
   /// The most slots that a pass allocates.
   static constexpr uint32_t slots_per_pass = 6;
   /// The number of slots reserved for ends within the slice, unless half of all is less.
-  static constexpr uint32_t max_kept_for_slice = 80;
+  static constexpr uint32_t max_reserved_for_slice = 80;
 
   void start(Slot<Index, Normal>* slots, uint32_t capacity, Queue<Index>* queues) {
     slots_.start(slots, capacity);
     queues_.start(queues);
-    kept_for_slice_ = capacity / 2 < max_kept_for_slice ? capacity / 2 : max_kept_for_slice;
-    enough_for_ends_ = slots_per_pass + 2 * kept_for_slice_;
+    reserved_for_slice_ =
+        capacity / 2 < max_reserved_for_slice ? capacity / 2 : max_reserved_for_slice;
+    plenty_for_ends_ = slots_per_pass + 2 * reserved_for_slice_;
   }
   void clear() {
     slots_.clear();
@@ -205,7 +206,7 @@ class Fragments {
   Index pop(uint8_t queue) { return queues_.pop(slots_, queue); }
   // Whether an end may wait.
   bool admits(uint8_t queue, Index mate) const {
-    return spare() >= enough_for_ends_ || spare() >= min_spare(queue, mate);
+    return spare() >= plenty_for_ends_ || spare() >= min_spare(queue, mate);
   }
   uint32_t min_spare(uint8_t queue, Index mate) const;
   // Whether fragments must be sent early, and this one is long enough.
@@ -216,9 +217,9 @@ class Fragments {
   void move_to_begin(Vertex& at, Incidence incidence, Index list) const;
   void send(const Pass& pass, Index begin, Index tail, Index list, const Vertex& start);
 
-  Slots slots_;                   // first, so its address is that of this object: less code
-  uint32_t kept_for_slice_ = 0;   // slots that ends waiting for the next slice must not use
-  uint32_t enough_for_ends_ = 0;  // while this many are spare, no end is lost
+  Slots slots_;                      // first, so its address is that of this object: less code
+  uint32_t reserved_for_slice_ = 0;  // slots that ends waiting for the next slice must not use
+  uint32_t plenty_for_ends_ = 0;     // while this many are spare, no end is lost
   Outgoing<Index> outgoing_;
   Queues<Index, Normal> queues_;
 };
@@ -391,7 +392,7 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
   send(pass, begin, loose_end<Index>(), list, at);
 }
 
-// Continues the fragment in a waiting one, or closes it to a ring.
+// Joins the fragment to the fragment that waits behind it, or closes it to a ring.
 template <class Index, class Normal>
 DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex,
                                                          Index tail, Index begin) {
@@ -471,9 +472,9 @@ void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bo
 template <class Index, class Normal>
 uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   if (queue < first_rising_queue) return slots_per_pass;
-  uint32_t needed = slots_per_pass + kept_for_slice_;
-  if (is_loose(mate)) needed += kept_for_slice_ / 2;
-  if (queues_.is_last_lost(slots_, queue)) needed += kept_for_slice_ / 4;
+  uint32_t needed = slots_per_pass + reserved_for_slice_;
+  if (is_loose(mate)) needed += reserved_for_slice_ / 2;
+  if (queues_.is_last_lost(slots_, queue)) needed += reserved_for_slice_ / 4;
   return needed;
 }
 

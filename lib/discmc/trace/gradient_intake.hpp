@@ -30,7 +30,7 @@ class GradientIntake {
   /// Allocates bytes_for(limits) in the arena, and writes nothing.
   void start(Arena& arena, const Limits& limits) {
     samples_.start(arena, limits, ring_rows(limits));
-    given_ = arena.allocate<uint16_t>(ring_rows(limits));
+    row_counts_ = arena.allocate<uint16_t>(ring_rows(limits));
     width_ = limits.width;
     height_ = limits.height;
     first_z_ =
@@ -73,9 +73,9 @@ class GradientIntake {
   }
   RowOrigin drain(detail::trace::BitRows& rows, int32_t threshold) {
     if (samples_.rows() == 0 && samples_.column() == 0) return pass_on(rows, threshold);
-    const uint32_t given = samples_.column();
+    const uint32_t arrived = samples_.column();
     samples_.fill(off_below(threshold));
-    end_row(given);
+    end_row(arrived);
     return pass_on_due(rows, threshold);
   }
   bool holds_rows(const detail::trace::BitRows& rows) const {
@@ -88,7 +88,7 @@ class GradientIntake {
   }
 
  private:
-  // Replace the number of samples of a skipped row.
+  // Marks of skipped rows in row_counts_.
   static constexpr uint16_t skipped_off = 0xFFFE;
   static constexpr uint16_t skipped_repeated = 0xFFFF;
   static_assert(Limits::max_extent < skipped_off, "widths are none of these");
@@ -97,8 +97,8 @@ class GradientIntake {
                     UINT32_MAX,
                 "32 bits count the samples of a ring");
 
-  void end_row(uint32_t given) {
-    given_[samples_.index_before(0)] = static_cast<uint16_t>(given);
+  void end_row(uint32_t count) {
+    row_counts_[samples_.index_before(0)] = static_cast<uint16_t>(count);
     samples_.next_row();
     ++waiting_;
   }
@@ -109,11 +109,11 @@ class GradientIntake {
   }
   // Thresholds the oldest row.
   RowOrigin pass_on(detail::trace::BitRows& rows, int32_t threshold) {
-    const uint16_t given = given_[samples_.index_before(waiting_)];
-    const RowOrigin row = given == skipped_repeated ? RowOrigin::repeated
-                          : given == skipped_off    ? RowOrigin::skipped
+    const uint16_t count = row_counts_[samples_.index_before(waiting_)];
+    const RowOrigin row = count == skipped_repeated ? RowOrigin::repeated
+                          : count == skipped_off    ? RowOrigin::skipped
                                                     : RowOrigin::samples;
-    if (row == RowOrigin::samples) rows.append(samples_.row_before(waiting_), given, 1, threshold);
+    if (row == RowOrigin::samples) rows.append(samples_.row_before(waiting_), count, 1, threshold);
     if (row == RowOrigin::repeated)
       rows.repeat();
     else
@@ -135,7 +135,7 @@ class GradientIntake {
   AxisWeights weights_;
   SampleRows<Sample> samples_;
   // Per row of the ring: its number of samples, or a mark of a skipped row.
-  uint16_t* given_ = nullptr;
+  uint16_t* row_counts_ = nullptr;
   uint32_t width_ = 0;
   uint32_t height_ = 0;
   int32_t first_z_ = 0;   // of the samples in the volume

@@ -44,11 +44,11 @@ class Holes<uint32_t, Normal> {
   /// Marks the holes inside a ring, or all holes on the plane of a fragment. Returns their number.
   /// Limit: none is marked. Cost: a look-up per line of the plane that a side crosses and that has
   /// holes, and per marked hole.
-  uint32_t mark(Slots& slots, const Ring& by) {
-    if (by.kind == Ring::Kind::ring) return mark_inside(slots, by);
+  uint32_t mark(Slots& slots, const Ring& chain) {
+    if (chain.kind == Ring::Kind::ring) return mark_inside(slots, chain);
     uint32_t marked = 0;
     for (;; ++marked) {
-      const uint32_t hole = waiting_.any_on_plane(Nodes{slots}, by.incidence, by.start);
+      const uint32_t hole = waiting_.any_on_plane(Nodes{slots}, chain.incidence, chain.start);
       if (hole == no_slot) return marked;
       mark_one(slots, hole);
     }

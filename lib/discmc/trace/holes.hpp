@@ -42,7 +42,7 @@ class Holes {
   /// Marks the holes inside a ring, or all holes on the plane of a fragment. Returns their number.
   /// Limit: none is marked. Cost: the holes of the list, and the ring's runs; for each hole in the
   /// ring's extent, the runs again.
-  uint32_t mark(Slots& slots, const Outgoing<Index>& by);
+  uint32_t mark(Slots& slots, const Outgoing<Index>& chain);
 
   /// Removes one of the holes that the last mark() has marked. Returns its runs and their start.
   /// Limit: there is one.
@@ -111,19 +111,19 @@ bool Holes<Index, Normal>::has_any(const Slots& slots, Incidence incidence,
 }
 
 template <class Index, class Normal>
-uint32_t Holes<Index, Normal>::mark(Slots& slots, const Outgoing<Index>& by) {
+uint32_t Holes<Index, Normal>::mark(Slots& slots, const Outgoing<Index>& chain) {
   uint32_t marked = 0;
-  if (count_ == 0 || !has_any(slots, by.incidence, by.start)) return marked;
-  const int32_t plane = plane_offset(by.incidence, by.start);
-  const bool is_ring = by.kind == Outgoing<Index>::Kind::ring;
-  const Extent extent = is_ring ? extent_of(slots, by) : Extent{};
-  marked_list_ = list_of(by.incidence, plane);
+  if (count_ == 0 || !has_any(slots, chain.incidence, chain.start)) return marked;
+  const int32_t plane = plane_offset(chain.incidence, chain.start);
+  const bool is_ring = chain.kind == Outgoing<Index>::Kind::ring;
+  const Extent extent = is_ring ? extent_of(slots, chain) : Extent{};
+  marked_list_ = list_of(chain.incidence, plane);
   for (Index i = heads_[marked_list_]; i != no_slot; i = slots[i].linked.next) {
-    if (!lies_on(slots, i, by.incidence, plane)) continue;
+    if (!lies_on(slots, i, chain.incidence, plane)) continue;
     Hole<Index>& hole = slots[i].hole;
     const Vertex start = slots[hole.start].hole_start.get();
     const Direction first = direction_of(Cursor(slots, hole.runs).run(slots));
-    if (is_ring && !(extent.contains(start) && surrounds(slots, by, start, first))) continue;
+    if (is_ring && !(extent.contains(start) && surrounds(slots, chain, start, first))) continue;
     hole.is_marked = 1;
     ++marked;
   }

@@ -18,14 +18,16 @@ class Surroundings {
     lines_ = (lower_is_on_ != 0 ? mirrored(lines) : lines) * 0x10001;
     DISCMC_UNROLL(4)
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
-      const uint32_t seen = cell(quadrant);
-      headings_ = headings_ >> 8 | seen << 24;
-      if constexpr (!is_lean) parts_ += sector_table.part[seen >> 12];
+      const uint32_t packed_cell = cell(quadrant);
+      headings_ = headings_ >> 8 | packed_cell << 24;
+      if constexpr (!is_lean) parts_ += sector_table.part[packed_cell >> 12];
     }
     // Turns headings from quadrant 0 to their own quadrant q: adds 2q, modulo 8, and leaves an 8,
     // no heading, unchanged.
-    const uint32_t nowhere = headings_ & 0x88888888;
-    headings_ = ((headings_ + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
+    const uint32_t no_heading_bits = headings_ & 0x88888888;
+    headings_ =
+        ((headings_ + 0x66442200) & 0x77777777 & ~(no_heading_bits - (no_heading_bits >> 3))) |
+        no_heading_bits;
     if (!is_lean && absent != 0) remove(absent);
   }
 
@@ -56,9 +58,9 @@ class Surroundings {
     const bool is_spoke = (ray & 4) != 0;
     uint32_t to, from;
     if (is_spoke) {
-      const uint32_t both = sector_table.edges[lower_is_on_][cell(quadrant) >> 8 & 15];
-      to = both & 15;
-      from = both >> 4;
+      const uint32_t edge_pair = sector_table.edges[lower_is_on_][cell(quadrant) >> 8 & 15];
+      to = edge_pair & 15;
+      from = edge_pair >> 4;
     } else {
       to = from = sector_table.face_way[lower_is_on_][lines_ >> 4 * quadrant & 3];
     }
@@ -87,8 +89,9 @@ class Surroundings {
 
   const AxisTable& axis_;
   uint32_t lower_is_on_;
-  uint32_t lines_;  // mirrored if the lower end is on; twice, so that quadrant 3, of the lines 6, 7
-                    // and 0, is one shift, too
+  // The circle of lines, mirrored if the lower end is on. Repeated, so that one shift also finds
+  // the lines 6, 7 and 0 of quadrant 3.
+  uint32_t lines_;
   uint32_t headings_ = 0;
   uint32_t parts_ = 0;
 };

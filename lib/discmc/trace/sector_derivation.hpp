@@ -84,16 +84,16 @@ struct VertexLoop {
 constexpr VertexLoop loop_at_vertex(Configuration configuration) {
   const CellPoint vertex = point_at({1, 0, 0});
   const Loops loops = discmc::detail::derive::loops(configuration);
-  VertexLoop found{};
+  VertexLoop result{};
   for (int l = 0; l < loops.count; ++l) {
-    found.points += loops.loop[l].count;
+    result.points += loops.loop[l].count;
     for (int i = 0; i < loops.loop[l].count; ++i) {
       if (loops.loop[l].point[i] != vertex) continue;
-      found.facets = facets_of(loops.loop[l]);
-      found.index = i;
+      result.facets = facets_of(loops.loop[l]);
+      result.index = i;
     }
   }
-  return found;
+  return result;
 }
 
 // Returns the position of a heading's line, seen along the axis.
@@ -168,12 +168,12 @@ constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers
   bool is_used[cell_edges][cell_edges] = {};
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (const auto& of_lower : table.edges)
-        for (const uint8_t both : of_lower)
-          if (both != 0) {
+      for (const auto& edge_pairs : table.edges)
+        for (const uint8_t edge_pair : edge_pairs)
+          if (edge_pair != 0) {
             const CellEdge own = own_edge(axis, quadrant);
-            is_used[own][edge_in(axis, quadrant, both & 15)] = true;
-            is_used[edge_in(axis, quadrant, both >> 4)][own] = true;
+            is_used[own][edge_in(axis, quadrant, edge_pair & 15)] = true;
+            is_used[edge_in(axis, quadrant, edge_pair >> 4)][own] = true;
           }
   SpokeQueues spokes{};
   const auto add = [&](int from, int to, int count) {
@@ -193,12 +193,12 @@ constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers
 constexpr void add_spoke_ways(SectorTable& table, const SpokeQueues& spokes) {
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (const auto& of_lower : table.edges)
-        for (const uint8_t both : of_lower) {
-          if (both == 0) continue;
+      for (const auto& edge_pairs : table.edges)
+        for (const uint8_t edge_pair : edge_pairs) {
+          if (edge_pair == 0) continue;
           const CellEdge own = own_edge(axis, quadrant);
-          const uint8_t to_and_from[] = {static_cast<uint8_t>(both & 15),
-                                         static_cast<uint8_t>(both >> 4)};
+          const uint8_t to_and_from[] = {static_cast<uint8_t>(edge_pair & 15),
+                                         static_cast<uint8_t>(edge_pair >> 4)};
           for (const uint8_t way : to_and_from) {
             const CellEdge other = edge_in(axis, quadrant, way);
             table.axis[axis].way[quadrant][way] =
@@ -241,14 +241,14 @@ constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
         for (uint8_t way = straight_way; way < ways; ++way) {
           const Vertex here = lowest_on_axis(axis);
           const Vertex vector = from_axis_frame(axis, face_vector(quadrant, way));
-          const Vertex there = here + vector;
-          const bool is_ahead = is_visited_before(here, there);
+          const Vertex other = here + vector;
+          const bool is_ahead = is_visited_before(here, other);
           if (is_ahead != (pass == 0)) continue;
           const Link link = discmc::detail::derive::link_of(detail::link_table, vector);
           const auto queue = static_cast<uint8_t>(
               is_ahead
-                  ? numbers.add(2, is_in_next_slice(here, there))
-                  : queue_of_face_link(table, moved_to_origin(there), opposite_link(link)) + 1);
+                  ? numbers.add(2, is_in_next_slice(here, other))
+                  : queue_of_face_link(table, moved_to_origin(other), opposite_link(link)) + 1);
           table.axis[axis].way[quadrant][way] = Way(link, queue, is_ahead);
         }
 }

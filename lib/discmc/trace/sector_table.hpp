@@ -126,8 +126,8 @@ struct SectorTable {
   constexpr uint8_t face_way_at(int lower_is_on, uint32_t line) const {
     return face_way[lower_is_on][lower_is_on != 0 ? mirrored(line) : line];
   }
-  constexpr Incidence incidence_at(int of_axis, int lower_is_on, int heading) const {
-    const AxisTable& table = axis[of_axis];
+  constexpr Incidence incidence_at(int edge_axis, int lower_is_on, int heading) const {
+    const AxisTable& table = axis[edge_axis];
     return static_cast<Incidence>(table.incidence[heading] +
                                   (lower_is_on != 0 ? table.to_upper : 0));
   }

@@ -67,9 +67,9 @@ constexpr uint32_t column_of(uint32_t word, uint32_t bit) {
   return word * columns_per_word + bit - 2;
 }
 
-/// The voxels in a word whose edges cross, by axis.
+/// The edges that cross, for the voxels in a word.
 struct CrossingEdges {
-  uint32_t by_axis[3];
+  uint32_t by_axis[3];  ///< a bit per voxel at the lower end of such an edge
 
   uint32_t voxels() const { return by_axis[0] | by_axis[1] | by_axis[2]; }
 
@@ -114,16 +114,16 @@ class SweepCounts {
   uint32_t triangle_parts() const { return triangles_; }
 
  private:
-  static void carry_whole(uint32_t& parts, uint32_t parts_of_one, uint64_t& total) {
+  static void carry_whole(uint32_t& parts, uint32_t parts_per_whole, uint64_t& total) {
     if constexpr (has_division) {
-      total += parts / parts_of_one;
-      parts %= parts_of_one;
+      total += parts / parts_per_whole;
+      parts %= parts_per_whole;
     } else {
-      uint32_t some = parts_of_one, count = 1, whole = 0;
-      for (; some <= parts; some <<= 1) count <<= 1;
-      for (; count != 0; some >>= 1, count >>= 1)
-        if (parts >= some) {
-          parts -= some;
+      uint32_t divisor = parts_per_whole, count = 1, whole = 0;
+      for (; divisor <= parts; divisor <<= 1) count <<= 1;
+      for (; count != 0; divisor >>= 1, count >>= 1)
+        if (parts >= divisor) {
+          parts -= divisor;
           whole += count;
         }
       total += whole;
