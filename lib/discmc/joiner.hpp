@@ -159,7 +159,7 @@ class Joiner {
   void forget_fragment();
 
   enum class Outlet : uint8_t { none, region, holes, loose, beginning };
-  bool settle();
+  bool deliver_pending();
   Event next_event() const;
   void select_next();
   void end_chain();
@@ -179,15 +179,14 @@ class Joiner {
   const detail::join::HeldChains& chains() const { return waiting_.chains(); }
 
   detail::join::WaitingChains waiting_;
-  detail::join::RegionHoles
-      region_;  // of the region that passes or is delivered, as far as the sink has it
+  detail::join::RegionHoles region_;  // holes of the region that the sink is receiving
   Sink sink_;
   JoinCapacities capacities_{0, 0};
   JoinReport report_{};
   InputOrder order_ = InputOrder::sweep;
   Unjoined unjoined_ = Unjoined::passed_on;
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
-  bool is_short_ = false;                     // of memory: everything is passed on
+  bool is_short_ = false;                     // whether memory is short: all events are passed on
 
   // The fate of the arriving fragment, and the chain that holds it.
   enum class Fate : uint8_t { none, held, passed, ignored };
@@ -198,10 +197,10 @@ class Joiner {
   // through; a `beginning` belongs to the arriving fragment.
   Outlet outlet_ = Outlet::none;
   Event::Kind next_kind_{};
-  bool is_delivering_all_ = false;  // of all chains, one after another
+  bool is_delivering_all_ = false;  // whether all held chains are delivered as loose
   uint32_t delivered_ = detail::join::no_chain;
   uint32_t claimed_ = detail::join::no_chain;  // the holes that follow
-  uint32_t looked_at_ = 0;                     // the last chain, on a walk over all
+  uint32_t last_visited_ = 0;                  // the last chain, while all are delivered
 
   // The sum of the `finish` events.
   bool has_start_ = false;

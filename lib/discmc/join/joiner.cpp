@@ -37,13 +37,13 @@ Status Joiner::start(const JoinCapacities& capacities, Memory memory, const Sink
 
 SinkResult Joiner::accept(const Event& event) {
   if (sink_.accept == nullptr) return SinkResult::not_started;
-  return settle() && process(event) ? SinkResult::accepted : answer_;
+  return deliver_pending() && process(event) ? SinkResult::accepted : answer_;
 }
 
 Status Joiner::finish() {
   if (sink_.accept == nullptr) return Status::not_started;
   forget_fragment();
-  if (!settle() || !end()) return status_of(answer_);
+  if (!deliver_pending() || !end()) return status_of(answer_);
   chains().unpoison_free();
   return is_short_ ? Status::too_little_memory : Status::ok;
 }
@@ -77,7 +77,7 @@ bool Joiner::begin_fragment(const Event& event) {
       return true;
     }
     start_passing();
-    if (!settle()) return false;
+    if (!deliver_pending()) return false;
   }
   if (!pass_loose(event)) return false;
   fate_ = Fate::passed;
@@ -92,7 +92,7 @@ bool Joiner::add_run(const Event& event) {
       return true;
     else
       start_passing();
-    if (!settle()) return false;
+    if (!deliver_pending()) return false;
   }
   if (fate_ == Fate::ignored) return true;
   return fate_ == Fate::passed ? pass_loose(event) : pass(event);
@@ -100,7 +100,7 @@ bool Joiner::add_run(const Event& event) {
 
 bool Joiner::end_fragment(const Event& event) {
   if (fate_ == Fate::held) place_fragment();
-  if (!settle()) return false;
+  if (!deliver_pending()) return false;
   switch (fate_) {
     case Fate::passed:
       if (!pass_loose(event)) return false;
@@ -130,7 +130,7 @@ bool Joiner::end_region(const Event& event) {
   outlet_ = Outlet::holes;
   claimed_ = region_.claim(waiting_);
   begin_next_hole();
-  return settle() && pass(event);
+  return deliver_pending() && pass(event);
 }
 
 // Several streams, such as slabs, share one start: the first.
@@ -203,9 +203,9 @@ void Joiner::start_passing() {
 
 // ---- delivery ----
 
-// Continues the current delivery, and that of all chains if they are passed on. Returns false if
-// the sink is busy.
-bool Joiner::settle() {
+// Continues the current delivery, and the delivery of all held chains if they are passed on.
+// Returns false if the sink is busy.
+bool Joiner::deliver_pending() {
   while (outlet_ != Outlet::none || begin_next_loose()) {
     if (!pass(next_event())) return false;
     select_next();
@@ -307,15 +307,15 @@ void Joiner::deliver_all_loose() {
 // Begins the delivery of the next chain that is passed on. Returns false if none is left.
 bool Joiner::begin_next_loose() {
   if (!is_delivering_all_) return false;
-  while (looked_at_ < chains().peak()) {
-    const uint32_t chain = ++looked_at_;
+  while (last_visited_ < chains().peak()) {
+    const uint32_t chain = ++last_visited_;
     if (chain == arriving_ || chains().state(chain) == detail::join::HeldChain::State::unused)
       continue;
     begin_loose(chain);
     if (outlet_ != Outlet::none) return true;
   }
   is_delivering_all_ = false;
-  looked_at_ = 0;
+  last_visited_ = 0;
   waiting_.forget();
   if (arriving_ == detail::join::no_chain) return false;
   begin_delivery(Outlet::beginning, Event::Kind::fragment, arriving_);
@@ -328,9 +328,9 @@ bool Joiner::begin_next_loose() {
 
 bool Joiner::end() {
   while (begin_next_outer())
-    if (!settle()) return false;
+    if (!deliver_pending()) return false;
   deliver_all_loose();
-  return settle() && send_finish();
+  return deliver_pending() && send_finish();
 }
 
 // Begins the delivery of a waiting outer ring. Returns false if none is left.

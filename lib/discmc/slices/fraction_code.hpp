@@ -30,9 +30,9 @@ class FractionCode {
     last_ = 0;
     has_key_edges_ = key_edges != KeyEdges::none;
     are_key_edges_known_ = key_edges == KeyEdges::known;
-    known_ = FractionEntry::all;
+    context_bits_ = FractionEntry::all;
     if (has_key_edges_) {
-      known_ = FractionEntry::along_x_and_y;
+      context_bits_ = FractionEntry::along_x_and_y;
       has_key_fractions_ = are_key_edges_known_ && (row.crosses & 4) != 0;
       row_.crosses = row.crosses & 3;
       row_.slice_before = row_.both_before = off;
@@ -111,7 +111,7 @@ class FractionCode {
     row_.slice_before = key_below_;
     count_ = 0;
     for (uint32_t word = 0; word < row_.words; ++word)
-      for (uint32_t any = row_.find(word); any != 0; any &= any - 1) ++count_;
+      for (uint32_t edges = row_.find(word); edges != 0; edges &= edges - 1) ++count_;
   }
   void advance_edge() {
     axes_ &= axes_ - 1;
@@ -148,7 +148,7 @@ class FractionCode {
   // Returns the crossing of a parallel edge of the same cell. lower, upper: its ends, as bits of
   // alike_. If both ends are alike, returns half an edge beyond the end towards which it would
   // cross. Units: eighths from the lower end; or none.
-  int32_t beside(uint32_t lower, uint32_t upper, uint32_t fraction) const {
+  int32_t crossing_beside(uint32_t lower, uint32_t upper, uint32_t fraction) const {
     const bool is_alike = (alike_ >> upper & 1) != 0;
     if (((alike_ >> lower ^ alike_ >> upper) & 1) == 0) return is_alike ? -4 : 12;
     fraction &= eighths;
@@ -156,7 +156,7 @@ class FractionCode {
   }
   // Returns the crossing of a plane through three other crossings. The third is opposite to this
   // edge.
-  static int32_t plane(int32_t first, int32_t second, int32_t opposite) {
+  static int32_t crossing_in_plane(int32_t first, int32_t second, int32_t opposite) {
     if (first == none) return second;
     if (second == none) return first;
     return opposite == none ? (first + second) >> 1 : first + second - opposite;
@@ -179,7 +179,7 @@ class FractionCode {
         (fractions & 7) + (fractions >> 3 & 7) + (fractions >> 6 & 7) + (fractions >> 9);
     return 1U + (3 * sum <= 16 * count ? 1U : 0U) + (3 * sum <= 8 * count ? 1U : 0U);
   }
-  // Returns a context from the voxels of the edge beside at x + 1. lower: as for beside().
+  // Returns a context from the voxels of the edge beside at x + 1. lower: as for crossing_beside().
   DISCMC_ALWAYS_INLINE uint32_t forward_context(uint32_t lower) const {
     const bool is_upper_alike = (alike_ >> 2 & 1) != 0;
     const bool is_lower_alike = (alike_ >> lower & 1) != 0;
@@ -190,23 +190,26 @@ class FractionCode {
   DISCMC_ALWAYS_INLINE uint32_t context_of(uint32_t axis) const {
     const uint16_t* const entry = row_.entries + voxel();
     const uint16_t* const entry_before = row_.entries_before + voxel();
-    const uint32_t here = entry[0] & known_, left = entry[-1] & known_;
-    const uint32_t before = entry_before[0] & known_;
+    const uint32_t here = entry[0] & context_bits_, left = entry[-1] & context_bits_;
+    const uint32_t before = entry_before[0] & context_bits_;
     int32_t crossing;
     uint32_t lower, upper = 0, next = 0, forward = 0;
     if (axis == 0) {
-      crossing = plane(beside(3, 4, before), beside(6, 7, here >> 9), beside(9, 10, before >> 9));
+      crossing = crossing_in_plane(crossing_beside(3, 4, before), crossing_beside(6, 7, here >> 9),
+                                   crossing_beside(9, 10, before >> 9));
       lower = left & FractionEntry::own;
     } else if (axis == 1) {
       crossing =
-          plane(beside(3, 0, left >> 3), beside(10, 7, here >> 12), beside(9, 6, left >> 12));
+          crossing_in_plane(crossing_beside(3, 0, left >> 3), crossing_beside(10, 7, here >> 12),
+                            crossing_beside(9, 6, left >> 12));
       lower = before & FractionEntry::own;
       upper = here & eighths;
       next = entry_before[1];
       forward = forward_context(5);
     } else {
-      crossing = plane(beside(6, 0, left >> 6), beside(10, 4, before >> 6),
-                       beside(9, 3, (entry_before[-1] & known_) >> 6));
+      crossing =
+          crossing_in_plane(crossing_beside(6, 0, left >> 6), crossing_beside(10, 4, before >> 6),
+                            crossing_beside(9, 3, (entry_before[-1] & context_bits_) >> 6));
       lower = here >> FractionEntry::slice_before_shift;
       upper = here & FractionEntry::along_x_and_y;
       next = entry[1] >> FractionEntry::slice_before_shift;
@@ -256,9 +259,9 @@ class FractionCode {
   uint32_t voxels_ = 0;  // of the word, after the next edge's voxel
   uint32_t word_ = 0;
   uint32_t axes_ = 0;   // a bit per edge of this voxel that is not coded yet
-  uint32_t left_ = 0;   // edges along z into a key slice; before their number, its ones so far
+  uint32_t left_ = 0;   // edges left along z into a key slice, or ones of their number so far
   uint32_t count_ = 0;  // number of these edges
-  uint16_t known_ = 0;  // bits of entries on which contexts depend
+  uint16_t context_bits_ = 0;  // bits of entries on which contexts depend
   // Voxels that equal this one, a bit each: x - 1, x and x + 1 of four rows. Bits 0 to 2 belong to
   // row_.here, 3 to 5 to row_.row_before, 6 to 8 to row_.slice_before, 9 to 11 to row_.both_before.
   uint16_t alike_ = 0;

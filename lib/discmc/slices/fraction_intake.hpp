@@ -44,8 +44,8 @@ class FractionIntake {
       if (column + 1 > first) columns &= 0U - (uint32_t{2} << (column + 1 - first));
       if (end - first < trace::columns_per_word) columns &= (uint32_t{4} << (end - first)) - 1;
       for (uint32_t axis = 0; axis < 3; ++axis) {
-        for (uint32_t any = along[axis] & columns; any != 0; any &= any - 1) {
-          const uint32_t bit = trailing_zeros(any);
+        for (uint32_t edges = along[axis] & columns; edges != 0; edges &= edges - 1) {
+          const uint32_t bit = trailing_zeros(edges);
           const uint32_t voxel = first + bit - 2;
           const Sample* const sample = samples + size_t{voxel - column} * stride;
           uint32_t lower;
@@ -57,8 +57,8 @@ class FractionIntake {
             lower =
                 distance_of(voxel > column ? *(sample - stride) : samples_[voxel - 1], doubled_);
           const bool is_on = (row.here[word] >> bit & 1) != 0;
-          const uint32_t found = fraction(lower, distance_of(*sample, doubled_), is_on);
-          row.entries[voxel] = static_cast<uint16_t>(row.entries[voxel] | found << 3 * axis);
+          const uint32_t part_of_edge = fraction(lower, distance_of(*sample, doubled_), is_on);
+          row.entries[voxel] = static_cast<uint16_t>(row.entries[voxel] | part_of_edge << 3 * axis);
           *row.has_fractions = true;
         }
       }
@@ -81,12 +81,13 @@ class FractionIntake {
     // Finds samples with the width of the type's lowest sample, which most samples of most scans
     // have.
     const uint32_t far_width = width_of(min_sample, doubled_);
-    const trace::Threshold<Sample> far(threshold_ - (int32_t{1} << far_width >> 1));
+    const trace::Threshold<Sample> far_threshold(threshold_ - (int32_t{1} << far_width >> 1));
     while (count > 0) {
-      const uint32_t to_next = far.block - column % far.block;
+      const uint32_t to_next = far_threshold.block - column % far_threshold.block;
       const uint32_t part_count = count < to_next ? count : to_next;
       const Sample* const part = samples_ + column;
-      if (part_count == far.block && far.reads_words(part) && far.is_block_off(part))
+      if (part_count == far_threshold.block && far_threshold.reads_words(part) &&
+          far_threshold.is_block_off(part))
         fill_widths(column, far_width);
       else
         keep_widths(column, part_count);

@@ -54,22 +54,22 @@ class FractionModel {
   /// Allocates bytes_for() in the arena, and writes nothing.
   void start(Arena& arena, uint32_t levels) {
     levels_ = levels;
-    of_ = arena.allocate<FractionProbability>(count(levels));
+    probabilities_ = arena.allocate<FractionProbability>(count(levels));
   }
   /// Resets all: both values of each bit are equally likely.
   void begin() {
-    for (uint32_t i = 0; i < count(levels_); ++i) of_[i] = FractionProbability();
+    for (uint32_t i = 0; i < count(levels_); ++i) probabilities_[i] = FractionProbability();
   }
 
   /// Returns the number of bits of a fraction, 1 or 2.
   uint32_t bits() const { return levels_ / 2; }
-  FractionProbability* width(uint32_t ones) { return of_ + ones; }
+  FractionProbability* width(uint32_t ones) { return probabilities_ + ones; }
   FractionProbability* tree(uint32_t context) {
-    return of_ + fraction_context::count_widths + context * (levels_ - 1);
+    return probabilities_ + fraction_context::count_widths + context * (levels_ - 1);
   }
 
  private:
-  FractionProbability* of_ = nullptr;
+  FractionProbability* probabilities_ = nullptr;
   uint32_t levels_ = 0;
 };
 

@@ -67,7 +67,7 @@ struct FractionRow {
 class Fractions {
  public:
   static constexpr uint64_t bytes_for(const Limits& limits, uint32_t surfaces, uint32_t levels) {
-    return surfaces * (Arena::bytes_of(2 * fours(limits.width), sizeof(FourEntries)) +
+    return surfaces * (Arena::bytes_of(2 * entry_groups(limits.width), sizeof(FourEntries)) +
                        FractionModel::bytes_for(levels) + FractionQueue::bytes_for(limits)) +
            Arena::bytes_of(flag_words(limits.height), sizeof(uint32_t));
   }
@@ -77,7 +77,7 @@ class Fractions {
     width_ = header.width;
     height_ = header.height;
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
-      surfaces_[surface].entries = arena.allocate<FourEntries>(2 * fours(width_));
+      surfaces_[surface].entries = arena.allocate<FourEntries>(2 * entry_groups(width_));
       surfaces_[surface].model.start(arena, header.levels);
       surfaces_[surface].queue.start(arena, {header.width, header.height, header.border},
                                      header.levels);
@@ -155,7 +155,7 @@ class Fractions {
   struct alignas(Arena::alignment) FourEntries {
     uint16_t entry[4];
   };
-  struct OfSurface {
+  struct SurfaceFractions {
     FourEntries* entries = nullptr;
     FractionModel model;
     FractionQueue queue;
@@ -164,7 +164,7 @@ class Fractions {
   };
 
   // Returns the groups of four in a row, with one more entry on either side.
-  static constexpr uint32_t fours(uint32_t width) { return (width + 5) / 4; }
+  static constexpr uint32_t entry_groups(uint32_t width) { return (width + 5) / 4; }
   static constexpr uint32_t flag_words(uint32_t height) { return (height + 31) / 32; }
   void clear_row(uint32_t surface, bool is_odd) {
     const uint32_t row = is_odd ? 1 : 0;
@@ -173,8 +173,8 @@ class Fractions {
     if (is_clear && !has_fractions) return;
     has_fractions = false;
     is_clear = true;
-    FourEntries* entry = surfaces_[surface].entries + row * fours(width_);
-    const FourEntries* const end = entry + fours(width_);
+    FourEntries* entry = surfaces_[surface].entries + row * entry_groups(width_);
+    const FourEntries* const end = entry + entry_groups(width_);
     do *entry++ = {};
     while (entry != end);
   }
@@ -189,27 +189,27 @@ class Fractions {
     row.words = static_cast<uint16_t>(rows.words());
     row.crosses = !has_samples(y) ? 0 : y > 0 && had_samples_in_row_before_ ? 3 : 1;
     uint16_t* const row_entries = row_of(surface, is_odd_) + 1;
-    OfSurface& of_surface = surfaces_[surface];
+    SurfaceFractions& own = surfaces_[surface];
     for (uint32_t word = 0; word < row.words; ++word) {
       if (row.is_level(word)) continue;
       const uint32_t along_x = row.along_x(word), along_y = row.along_y(word);
-      for (uint32_t any = along_x | along_y; any != 0; any &= any - 1) {
-        const uint32_t bit = trailing_zeros(any);
-        uint32_t known = 0;
-        if ((along_x >> bit & 1) != 0) known = of_surface.queue.pop();
-        if ((along_y >> bit & 1) != 0) known |= of_surface.queue.pop() << 3;
+      for (uint32_t edges = along_x | along_y; edges != 0; edges &= edges - 1) {
+        const uint32_t bit = trailing_zeros(edges);
+        uint32_t fractions = 0;
+        if ((along_x >> bit & 1) != 0) fractions = own.queue.pop();
+        if ((along_y >> bit & 1) != 0) fractions |= own.queue.pop() << 3;
         row_entries[word * detail::trace::columns_per_word + bit - 2] =
-            static_cast<uint16_t>(known << FractionEntry::slice_before_shift);
-        of_surface.is_clear[is_odd_ ? 1 : 0] = false;
+            static_cast<uint16_t>(fractions << FractionEntry::slice_before_shift);
+        own.is_clear[is_odd_ ? 1 : 0] = false;
       }
     }
   }
   uint16_t* row_of(uint32_t surface, bool is_odd) {
-    return surfaces_[surface].entries[is_odd ? fours(width_) : 0].entry;
+    return surfaces_[surface].entries[is_odd ? entry_groups(width_) : 0].entry;
   }
   bool has_samples(uint32_t y) const { return (has_samples_[y / 32] >> y % 32 & 1) != 0; }
 
-  OfSurface surfaces_[StreamHeader::max_surfaces];
+  SurfaceFractions surfaces_[StreamHeader::max_surfaces];
   uint32_t surface_count_ = 0;
   uint32_t width_ = 0;
   uint32_t height_ = 0;

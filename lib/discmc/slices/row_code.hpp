@@ -21,8 +21,8 @@ struct RowsBefore {
 /// Returns the neighbours of the arriving row. first: as in RowsBefore.
 inline RowsBefore rows_before(const detail::trace::BitRows& rows, uint32_t height, SliceKind kind,
                               const uint32_t* first = nullptr) {
-  const auto row = [&rows](bool is_there, uint32_t back) {
-    return is_there ? rows.row(back) : rows.off();
+  const auto row = [&rows](bool is_available, uint32_t back) {
+    return is_available ? rows.row(back) : rows.off();
   };
   const uint32_t y = rows.rows();
   const bool is_key = kind == SliceKind::key;
@@ -32,8 +32,8 @@ inline RowsBefore rows_before(const detail::trace::BitRows& rows, uint32_t heigh
 }
 /// Returns the number of rows to keep for these neighbours, including the arriving row.
 constexpr uint32_t rows_kept(uint32_t height, bool are_all_key) {
-  const uint32_t of_slice = height + 2;
-  return are_all_key || of_slice < 4 ? 4 : of_slice;
+  const uint32_t slice_rows = height + 2;
+  return are_all_key || slice_rows < 4 ? 4 : slice_rows;
 }
 
 /// The note before a row.
@@ -58,7 +58,7 @@ class RowCode {
     left_ = width;
     word_ = 0;
     bit_ = 2;
-    as_before_ = 0;
+    previous_voxels_ = 0;
     level_end_ = width;
   }
   bool is_done() const { return left_ == 0; }
@@ -99,7 +99,7 @@ class RowCode {
 
  private:
   // Whether the next voxel differs from the previous one. Undefined while reading.
-  bool differs() const { return ((row_[word_] ^ as_before_) >> bit_ & 1) != 0; }
+  bool differs() const { return ((row_[word_] ^ previous_voxels_) >> bit_ & 1) != 0; }
 
   // Returns one bit per neighbour that differs from the previous voxel.
   uint32_t differing_neighbours() const {
@@ -107,9 +107,10 @@ class RowCode {
     const uint32_t next = before_.next[word_] >> (bit_ - 1) & 7;
     const uint32_t third = before_.third[word_] >> bit_ & 1;
     const uint32_t last = before_.last[word_] >> bit_ & 1;
-    const uint32_t differing = (nearest | next << 3 | third << 6 | last << 7) ^ (as_before_ & 0xFF);
+    const uint32_t differing =
+        (nearest | next << 3 | third << 6 | last << 7) ^ (previous_voxels_ & 0xFF);
     if (before_.first == nullptr) return differing;
-    return differing | ((before_.first[word_] ^ as_before_) >> bit_ & 1) << 8;
+    return differing | ((before_.first[word_] ^ previous_voxels_) >> bit_ & 1) << 8;
   }
 
   // Returns the number of voxels from here on whose neighbours, except in the first surface, all
@@ -123,15 +124,16 @@ class RowCode {
   uint32_t level_voxels_ahead() const {
     return voxels_before(left_, [this](uint32_t word) {
       const uint32_t beside =
-          (before_.nearest[word] ^ as_before_) | (before_.next[word] ^ as_before_);
-      const uint32_t below = (before_.third[word] ^ as_before_) | (before_.last[word] ^ as_before_);
+          (before_.nearest[word] ^ previous_voxels_) | (before_.next[word] ^ previous_voxels_);
+      const uint32_t below =
+          (before_.third[word] ^ previous_voxels_) | (before_.last[word] ^ previous_voxels_);
       // Only the neighbour at x + 1 is new; the previous voxel shares the others.
       return beside >> 1 | below;
     });
   }
   // Returns the number of voxels from here on that equal the previous one, at most `limit`.
   uint32_t same_voxels(uint32_t limit) const {
-    return voxels_before(limit, [this](uint32_t word) { return row_[word] ^ as_before_; });
+    return voxels_before(limit, [this](uint32_t word) { return row_[word] ^ previous_voxels_; });
   }
   // Returns the number of voxels from here on before the first whose bit is set, at most `limit`.
   template <class Bits>
@@ -162,16 +164,16 @@ class RowCode {
       const uint32_t room = detail::trace::columns_per_word + 1 - bit_;
       const uint32_t here = voxels < room ? voxels : room;
       const uint32_t next = bit_ + here;
-      row_[word_] |= as_before_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
+      row_[word_] |= previous_voxels_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
       go_to(next);
       voxels -= here;
     }
   }
   // Writes the next voxel, which differs or not.
   DISCMC_ALWAYS_INLINE void write_next(bool differs) {
-    if (differs) as_before_ = ~as_before_;
+    if (differs) previous_voxels_ = ~previous_voxels_;
     --left_;
-    row_[word_] |= as_before_ & uint32_t{1} << bit_;
+    row_[word_] |= previous_voxels_ & uint32_t{1} << bit_;
     go_to(bit_ + 1);
   }
   // Limit: next is in the word, or the bit behind its own columns.
@@ -185,9 +187,9 @@ class RowCode {
   RowsBefore before_{};
   uint32_t left_ = 0;
   uint32_t word_ = 0;
-  uint32_t bit_ = 0;        // of the next voxel
-  uint32_t as_before_ = 0;  // a word of voxels that equal the previous one
-  uint32_t level_end_ = 0;  // voxels left after the last computed level
+  uint32_t bit_ = 0;              // of the next voxel
+  uint32_t previous_voxels_ = 0;  // a word of voxels that equal the previous one
+  uint32_t level_end_ = 0;        // voxels left after the last computed level
 };
 
 }  // namespace discmc::detail::slices

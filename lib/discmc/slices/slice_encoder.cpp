@@ -312,8 +312,8 @@ bool SliceEncoder::close_code(uint8_t bits) {
   packet_bits_ = static_cast<uint8_t>(packet_bits_ | detail::wire::SliceBits::last | bits);
   uint8_t* end = code_end(coder_.range.finish());
   if (bits == detail::wire::SliceBits::cut) {
-    const uint64_t rows_of_all = encoded_rows_ * surfaces_.count() + surface_;
-    end = detail::wire::put(end, static_cast<uint32_t>(rows_of_all), 4);
+    const uint64_t surface_rows = encoded_rows_ * surfaces_.count() + surface_;
+    end = detail::wire::put(end, static_cast<uint32_t>(surface_rows), 4);
     end = detail::wire::put(end, row_.left(), 2);
   }
   seal(end);

@@ -49,17 +49,18 @@ constexpr LearntProbability note_at_first(32);
 
 void SliceModel::start(Arena& arena, bool is_further) {
   count_ = context_count(is_further);
-  of_ = arena.allocate<LearntProbability>(count_);
+  probabilities_ = arena.allocate<LearntProbability>(count_);
 }
 
 // Voxels of a first surface that differs were not in the training: those contexts begin like the
 // others.
 void SliceModel::begin(SliceKind kind) {
   const uint8_t* const at_first = trained[kind == SliceKind::key ? 0 : 1];
-  of_[context::note] = note_at_first;
+  probabilities_[context::note] = note_at_first;
   for (uint32_t i = context::run; i < count_; ++i) {
     const uint32_t alike = i < context::count ? i : i - context::voxels;
-    of_[i] = LearntProbability(static_cast<uint16_t>(at_first[alike - context::run] << 8 | 0x80));
+    probabilities_[i] =
+        LearntProbability(static_cast<uint16_t>(at_first[alike - context::run] << 8 | 0x80));
   }
 }
 

@@ -49,10 +49,10 @@ class SliceModel {
   /// Resets the probabilities to those trained for slices of this kind.
   void begin(SliceKind kind);
 
-  LearntProbability& operator[](uint32_t context) { return of_[context]; }
+  LearntProbability& operator[](uint32_t context) { return probabilities_[context]; }
 
  private:
-  LearntProbability* of_ = nullptr;
+  LearntProbability* probabilities_ = nullptr;
   uint32_t count_ = 0;
 };
 

@@ -72,18 +72,18 @@ void SurfaceDecoder::start_next() {
 // The memory contains the rows of the slice decoder, followed by the memory of the extractor.
 Status SurfaceDecoder::begin_sweep() {
   const Limits limits{header().width, header().height, header().border};
-  const uint64_t of_rows =
+  const uint64_t row_bytes =
       SliceDecoder::minimum_bytes(limits, header().surface_count, header().levels);
-  if (memory_.data == nullptr || memory_.bytes < of_rows) return Status::too_little_memory;
-  const auto bytes = static_cast<size_t>(of_rows);
+  if (memory_.data == nullptr || memory_.bytes < row_bytes) return Status::too_little_memory;
+  const auto bytes = static_cast<size_t>(row_bytes);
   const Memory rest{static_cast<uint8_t*>(memory_.data) + bytes, memory_.bytes - bytes};
-  constexpr int32_t any = 0;  // the extractor receives bits, not samples
+  constexpr int32_t any_threshold = 0;  // the extractor receives bits, not samples
   // The slice decoder sends the start, with more members.
-  const auto pass_all_else = [](void* context, const Event& event) {
+  const auto pass_all_but_start = [](void* context, const Event& event) {
     return event.kind == Event::Kind::start ? SinkResult::accepted
                                             : static_cast<SurfaceDecoder*>(context)->pass(event);
   };
-  const Status status = extractor_.start(limits, any, rest, {this, pass_all_else});
+  const Status status = extractor_.start(limits, any_threshold, rest, {this, pass_all_but_start});
   return status == Status::ok ? slices_.set_memory(memory_) : status;
 }
 
@@ -96,9 +96,10 @@ Status SurfaceDecoder::set_memory(Memory memory) {
 }
 
 Status SurfaceDecoder::finish() {
-  const Status of_slices = slices_.finish();  // before a header, both decoders read
+  const Status slices_status = slices_.finish();  // before a header, both decoders read
   if (!is_of_slices_) return regions_.finish();
-  return of_slices == Status::ok ? extractor_.resume() : of_slices;  // if the stream had no trailer
+  return slices_status == Status::ok ? extractor_.resume()
+                                     : slices_status;  // if the stream had no trailer
 }
 
 // ---- rows ----
@@ -117,18 +118,18 @@ SinkResult SurfaceDecoder::accept(const RowEvent& event) {
       return skip(event.count, Substitute::off);
     case RowEvent::Kind::fractions: {
       if (event.channel != wanted_channel()) return SinkResult::accepted;
-      Event same{};
-      same.kind = Event::Kind::fractions;
-      same.slice = event.slice;
-      same.row = event.row;
-      same.fractions = event.fractions;
-      return pass_between(same);
+      Event passed{};
+      passed.kind = Event::Kind::fractions;
+      passed.slice = event.slice;
+      passed.row = event.row;
+      passed.fractions = event.fractions;
+      return pass_between(passed);
     }
     case RowEvent::Kind::application: {
-      Event same{};
-      same.kind = Event::Kind::application;
-      same.application = event.application;
-      return pass_between(same);
+      Event passed{};
+      passed.kind = Event::Kind::application;
+      passed.application = event.application;
+      return pass_between(passed);
     }
     case RowEvent::Kind::finish:
       break;
@@ -143,10 +144,10 @@ SinkResult SurfaceDecoder::pass_between(const Event& event) {
 }
 
 // Reduces the header of several surfaces to the wanted surface.
-SinkResult SurfaceDecoder::begin(const StreamHeader& all) {
-  StreamHeader header = all;
+SinkResult SurfaceDecoder::begin(const StreamHeader& stream_header) {
+  StreamHeader header = stream_header;
   header.channel = wanted_channel();
-  header.thresholds[0] = all.thresholds[header.channel - uint32_t{all.channel}];
+  header.thresholds[0] = stream_header.thresholds[header.channel - uint32_t{stream_header.channel}];
   for (uint32_t i = 1; i < StreamHeader::max_surfaces; ++i) header.thresholds[i] = 0;
   header.surface_count = 1;
   Event event{};
@@ -156,8 +157,8 @@ SinkResult SurfaceDecoder::begin(const StreamHeader& all) {
 }
 
 SinkResult SurfaceDecoder::skip(uint64_t rows, Substitute substitute) {
-  for (uint32_t now = 0; skipped_rows_ < rows; ++skipped_rows_, ++now) {
-    if (now == max_skipped_rows) return SinkResult::busy;
+  for (uint32_t count = 0; skipped_rows_ < rows; ++skipped_rows_, ++count) {
+    if (count == max_skipped_rows) return SinkResult::busy;
     const PushResult row = extractor_.skip_row(substitute);
     if (is_refused(row)) return SinkResult::busy;
     if (row.samples == 0) break;

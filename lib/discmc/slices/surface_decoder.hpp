@@ -49,7 +49,7 @@ class SurfaceDecoder {
   Status begin_sweep();
   uint8_t wanted_channel() const { return channel_ == any_channel ? header().channel : channel_; }
   SinkResult accept(const RowEvent& event);
-  SinkResult begin(const StreamHeader& all);
+  SinkResult begin(const StreamHeader& stream_header);
   SinkResult pass_between(const Event& event);
   SinkResult pass(const Event& event) { return sink_.accept(sink_.context, event); }
   SinkResult skip(uint64_t rows, Substitute substitute);

@@ -46,9 +46,9 @@ class Waiting {
       at = after_run(incidence, at, run);
     }
   }
-  std::multiset<uint32_t> settle(bool is_left) {
+  std::multiset<uint32_t> rings_beside_notes(bool is_left) {
     std::multiset<uint32_t> found;
-    rings_.settle(held_, is_left, [&](uint32_t ring) { found.insert(ring); });
+    rings_.visit_beside_notes(held_, is_left, [&](uint32_t ring) { found.insert(ring); });
     return found;
   }
   /// Removes this many outer rings.
@@ -164,8 +164,8 @@ TEST_CASE("the rings inside an outer ring are found, and those around which a ho
     waiting.forget_notes();
     waiting.note(incidence, start, is_outer ? runs : backwards(incidence, runs));
     CAPTURE(round);
-    REQUIRE(waiting.settle(is_outer) == expected);
-    REQUIRE(waiting.settle(is_outer).empty());
+    REQUIRE(waiting.rings_beside_notes(is_outer) == expected);
+    REQUIRE(waiting.rings_beside_notes(is_outer).empty());
     insides += static_cast<uint32_t>(expected.size());
   }
   CHECK(insides > 1000);
