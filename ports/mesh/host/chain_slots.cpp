@@ -18,8 +18,8 @@ bool is_centroid(const Vertex& v) {
   return (v.x & v.y & 1) != 0;
 }
 
-// The position of the sweep: voxels before this one have been visited.
-struct Front {
+// Voxels before this one have been visited.
+struct SweepPosition {
   int32_t x, y, z;
 
   bool has_passed(const Vertex& v) const {
@@ -86,10 +86,10 @@ class Sides {
 // from the fragment. Links that the sweep has surely passed become a run, so the rest of the side
 // is short. may_turn: no link becomes a run, because the chain may turn at the next centroid.
 uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link ahead,
-                 bool may_turn, const Front& front) {
+                 bool may_turn, const SweepPosition& position) {
   Vertex vertex = corner.vertex();
   const Vertex step = link_vector(ahead);
-  const uint32_t passed = may_turn ? 0 : front.links_passed(vertex, step);
+  const uint32_t passed = may_turn ? 0 : position.links_passed(vertex, step);
   sides.add_side(sides.direction(side), passed);
   translate(vertex, ahead, passed);
   const uint32_t end = slots.allocate();
@@ -159,7 +159,8 @@ void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row,
   Slots& slots = fragments.slots();
   const Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
-  const Front visited{static_cast<int32_t>(detail::trace::column_of(word, 1)), row.y, row.z};
+  const SweepPosition position{static_cast<int32_t>(detail::trace::column_of(word, 1)), row.y,
+                               row.z};
   mark_tails(slots);
   for (uint32_t queue = first_begins; queue < queue_codes; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i) {
@@ -175,10 +176,10 @@ void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row,
       if (!begins_at_seam) {
         const Link came = first.incoming();
         const bool may_turn = queue_traits.turns[queue] != 0;
-        begin = new_end(slots, sides, first, came, opposite_link(came), may_turn, visited);
+        begin = new_end(slots, sides, first, came, opposite_link(came), may_turn, position);
         fragments.push(queue_traits.number[queue], begin);
         if (first_node.turns_behind()) sides.add(CornerCode(first_node.corner_behind()));
-      } else if (at >= Node::waiting_tail && !visited.has_passed(first.vertex())) {
+      } else if (at >= Node::waiting_tail && !position.has_passed(first.vertex())) {
         seat[at - Node::waiting_tail] = no_slot;
         continue;
       }
@@ -189,7 +190,7 @@ void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row,
       uint32_t tail = detail::trace::loose_end<uint32_t>();
       if (at != Node::no_node) {
         const CornerCode last = sides.last();
-        tail = new_end(slots, sides, last, last.onwards(), last.onwards(), false, visited);
+        tail = new_end(slots, sides, last, last.onwards(), last.onwards(), false, position);
         seat[at - Node::waiting_tail] = tail;
       }
       fragments.connect(begin, tail, sides.list());

@@ -204,8 +204,8 @@ void Chains::process(Slots& slots, const FoundPasses& passes, uint32_t edges) {
     const uint32_t goes_ahead = queue_traits.goes_ahead[out];
     const uint32_t difference = queue_traits.straight_in[in] ^ queue_traits.straight_out[out];
     const uint32_t is_straight = all_if_zero(difference);
-    const uint32_t goes_on = comes_from_ahead != 0 ? after : before;
-    seat[in_seat] = seat[out_seat] = difference == 0 ? goes_on : top;
+    const uint32_t continued = comes_from_ahead != 0 ? after : before;
+    seat[in_seat] = seat[out_seat] = difference == 0 ? continued : top;
     node[top].set_voxel(voxel);
     node[top].next = after | goes_ahead;
     node[top].pass = pass;

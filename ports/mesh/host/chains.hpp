@@ -193,10 +193,10 @@ class Chains {
   uint32_t end_ = 0;             // the limit of top_
   uint32_t min_free_seats_ = 0;  // of all queues but those of the seam
   uint32_t complete_ = 0;        // complete fragments, the first of seam_begins
-  uint32_t joins_ = 0;
-  uint32_t next_join_ = 0;
-  uint32_t ring_ = 0;
-  uint32_t corner_count_ = 0;
+  uint32_t joins_ = 0;           // joins of the last batch, in join_
+  uint32_t next_join_ = 0;       // the first join that find_ring() has not followed
+  uint32_t ring_ = 0;            // the join of the found ring
+  uint32_t corner_count_ = 0;    // of the found ring, in corner_
   // Per queue: the next seat of arriving chains, and of leaving chains. An arriving chain removes
   // an end from a queue of tails, or adds an end to a queue of begins.
   uint32_t next_in_seat_[queue_codes] = {};

@@ -12,8 +12,8 @@ namespace discmc::host {
 /// its code.
 class CornerCode {
  public:
-  /// The largest number of slices. Besides them fit the slice before the first, and behind the last
-  /// the centroids and the slice above a slab.
+  /// The largest number of slices. A code also has room for the slice before the first. Behind the
+  /// last it has room for centroids, and for the slice above a slab.
   static constexpr int32_t max_slices = 32760;
   static_assert(2 * (max_slices + 2) < 1 << 16 && 2 * Limits::max_extent + 1 < 1 << 16,
                 "each coordinate and one has 16 bits");

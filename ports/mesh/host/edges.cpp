@@ -116,8 +116,8 @@ inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, 
   if (row.has_open_ends) x &= detail::trace::inner_columns(word, row.width);
   Edge* const first = edge_ + count_;
   Edge* edge = first;
-  for (auto left = static_cast<uint32_t>(x | y | z); left != 0; left &= left - 1) {
-    const uint32_t bit = trailing_zeros(left);
+  for (auto voxels = static_cast<uint32_t>(x | y | z); voxels != 0; voxels &= voxels - 1) {
+    const uint32_t bit = trailing_zeros(voxels);
     const uint64_t voxel = origin + next_voxel * bit;
     const uint64_t lines = block.lines(bit);
     *edge = {voxel, static_cast<uint32_t>(lines), 0};

@@ -31,7 +31,7 @@ void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
   uint64_t parts = 0;
   for (const Edge& edge : edges) {
     if (edge.axis >= Edge::special) {
-      const Added added = add_special(edge, ray, vertex);
+      const AddedCounts added = add_special(edge, ray, vertex);
       ray += added.rays;
       vertex += added.rays != 0 ? 1 : 0;
       parts += added.parts;
@@ -59,16 +59,16 @@ void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
   }
   rays_ = static_cast<uint32_t>(ray - ray_);
   DISCMC_LIMIT(vertex <= vertex_ + Edges::max_edges && rays_ <= max_passes + Edges::max_edges);
-  constexpr uint64_t one = (uint64_t{1} << PartSum::bits) - 1;
-  counts.add(static_cast<uint32_t>(parts & one),
-             static_cast<uint32_t>(parts >> PartSum::bits & one),
+  constexpr uint64_t field_mask = (uint64_t{1} << PartSum::bits) - 1;
+  counts.add(static_cast<uint32_t>(parts & field_mask),
+             static_cast<uint32_t>(parts >> PartSum::bits & field_mask),
              static_cast<uint32_t>(parts >> 2 * PartSum::bits));
 }
 
 // Finds the passes at an edge around which cells are absent, or the ends at the seam of a slab.
-DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, RayWord* ray,
-                                                            PassVertex* vertex) const {
-  // Lines 0 to 4 are in the lowest bits. Line 4 is there once more, followed by 5 to 7.
+DISCMC_NOINLINE FoundPasses::AddedCounts FoundPasses::add_special(const Edge& edge, RayWord* ray,
+                                                                  PassVertex* vertex) const {
+  // Lines 0 to 4 are in the lowest bits. Behind the voxel, line 4 is repeated, before lines 5 to 7.
   constexpr uint32_t first_lines = (1U << HalfRays::lines_bits) - 1;
   const uint32_t lines = (edge.lines & first_lines) |
                          (edge.lines >> (HalfRays::lines_bits + 3) & 63) << HalfRays::lines_bits;
@@ -94,7 +94,7 @@ DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, Ra
   *ray = repeated;
   ray += has_passes ? 1 : 0;
   *vertex = {edge.voxel, 0};
-  return {static_cast<uint32_t>(ray - first), is_at_seam ? 0 : PartSum::of(list.parts)};
+  return {static_cast<uint32_t>(ray - first), is_at_seam ? 0 : PartSum::from_part(list.parts)};
 }
 
 }  // namespace discmc::host

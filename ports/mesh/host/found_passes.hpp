@@ -1,4 +1,4 @@
-// The passes at a batch of edges. A pass lies between two rays, and is found by them.
+// Finds the passes at a batch of edges. The words of two neighbouring rays define a pass.
 #ifndef DISCMC_MESH_HOST_FOUND_PASSES_HPP
 #define DISCMC_MESH_HOST_FOUND_PASSES_HPP
 
@@ -22,7 +22,7 @@ class FoundPasses {
     const PassVertex* vertex = vertex_;
     for (const RayWord *ray = ray_, *const end = ray_ + rays_; ray != end;) {
       const RayWord next = ray[1];
-      visit(vertex->voxel, ray[0] ^ ((ray[0] ^ next) & vertex->of_next));
+      visit(vertex->voxel, ray[0] ^ ((ray[0] ^ next) & vertex->next_bits));
       ray += 1 + (next >> 31);
       vertex += next >> 31;
     }
@@ -36,15 +36,15 @@ class FoundPasses {
   // none for special vertices.
   struct PassVertex {
     uint64_t voxel;
-    uint32_t of_next;
+    uint32_t next_bits;
   };
 
-  struct Added {
+  struct AddedCounts {
     uint32_t rays;
     uint64_t parts;
   };
 
-  Added add_special(const Edge& edge, RayWord* ray, PassVertex* vertex) const;
+  AddedCounts add_special(const Edge& edge, RayWord* ray, PassVertex* vertex) const;
 
   uint32_t rays_ = 0;  // including repeated ones
   PassVertex vertex_[Edges::max_edges + 1] = {};

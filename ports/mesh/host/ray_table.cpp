@@ -27,9 +27,10 @@ constexpr void for_each_way(bool arrives, Visit visit) {
       const Way* const ways = sectors.axis[axis].way[quadrant];
       for (int way = detail::trace::straight_way; way < detail::trace::ways; ++way)
         visit(axis, quadrant, ways[way], false);
-      for (const auto& of_lower : sectors.edges)
-        for (const uint8_t both : of_lower)
-          if (both != 0) visit(axis, quadrant, ways[arrives ? both >> 4 : both & 15], true);
+      for (const auto& edge_pairs : sectors.edges)
+        for (const uint8_t edge_pair : edge_pairs)
+          if (edge_pair != 0)
+            visit(axis, quadrant, ways[arrives ? edge_pair >> 4 : edge_pair & 15], true);
     }
 }
 
@@ -64,11 +65,12 @@ constexpr QueueTraits derive_queue_traits() {
   for (uint32_t code = 0; code < queue_codes; ++code) {
     const bool has_begins = code >= first_begins;
     (has_begins ? traits.comes_from_ahead : traits.goes_ahead)[code] = UINT32_MAX;
-    constexpr uint32_t no_link_in = 30, no_link_out = 31, of_begins = 32;
-    const uint32_t ends_of = has_begins ? of_begins : 0;
+    constexpr uint32_t no_link_in = 30, no_link_out = 31, begins_bit = 32;
+    const uint32_t kind_bit = has_begins ? begins_bit : 0;
     const bool turns = traits.turns[code] != 0;
-    traits.straight_in[code] = (turns && has_begins ? no_link_in : traits.incoming[code]) | ends_of;
-    traits.straight_out[code] = (turns ? no_link_out : traits.outgoing[code]) | ends_of;
+    traits.straight_in[code] =
+        (turns && has_begins ? no_link_in : traits.incoming[code]) | kind_bit;
+    traits.straight_out[code] = (turns ? no_link_out : traits.outgoing[code]) | kind_bit;
   }
   return traits;
 }
@@ -82,8 +84,8 @@ constexpr RayWord ray_word(const Way& comes, const Way& goes, Incidence behind) 
                    derived_queue_traits.code[goes.queue_out()], behind);
 }
 
-constexpr uint32_t turned(uint32_t heading, uint32_t by) {
-  return heading == detail::trace::no_heading ? heading : (heading + by) % 8;
+constexpr uint32_t turned(uint32_t heading, uint32_t eighths) {
+  return heading == detail::trace::no_heading ? heading : (heading + eighths) % 8;
 }
 
 // A half of a neighbourhood, for any axis, turned to the first half.
@@ -153,13 +155,13 @@ constexpr uint64_t bits_of_voxel(int x, int y, int z) {
   for (int axis = 0; axis < 3; ++axis) {
     const int at[] = {x, y, z};
     const int along = at[axis], u = at[(axis + 1) % 3], v = at[(axis + 2) % 3];
-    uint64_t of_axis = along == 0 && u == 0 && v == 0 ? 1U << HalfRays::lines_bits : 0;
+    uint64_t line_bits = along == 0 && u == 0 && v == 0 ? 1U << HalfRays::lines_bits : 0;
     for (int index = 0; along >= 0 && index < 10; ++index) {
       const Vertex line = detail::trace::derive::line_at((index < 5 ? index : index - 1) % 8);
       const int shift = 2 * index + (index < 5 ? 0 : 1) + along;
-      if (line.y == u && line.z == v) of_axis |= uint64_t{1} << shift;
+      if (line.y == u && line.z == v) line_bits |= uint64_t{1} << shift;
     }
-    bits |= of_axis << RayTable::axis_bits * static_cast<uint32_t>(axis);
+    bits |= line_bits << RayTable::axis_bits * static_cast<uint32_t>(axis);
   }
   return bits;
 }
@@ -176,7 +178,7 @@ constexpr RayTable derive_rays() {
   for (uint32_t greater = 0; greater < 15; ++greater)
     for (uint32_t other = 0; other <= greater; ++other)
       table.parts[greater * (greater + 1) / 2 + other] =
-          PartSum::of(sectors.part[greater]) + PartSum::of(sectors.part[other]);
+          PartSum::from_part(sectors.part[greater]) + PartSum::from_part(sectors.part[other]);
 
   constexpr uint32_t buckets = 1024;
   uint64_t keys[buckets] = {};

@@ -46,7 +46,7 @@ constexpr PassWord pass_word(uint32_t in, uint32_t out, Incidence incidence) {
 /// The sum of the counts of cells (CountParts) over a batch of vertices.
 struct PartSum {
   static constexpr uint32_t bits = 21;  // per count
-  static constexpr uint64_t of(uint32_t part) {
+  static constexpr uint64_t from_part(uint32_t part) {
     constexpr uint32_t facet = detail::trace::CountParts::facet_shift;
     constexpr uint32_t triangle = detail::trace::CountParts::triangle_shift;
     const uint64_t cells = part & ((1U << facet) - 1);

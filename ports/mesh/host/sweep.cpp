@@ -14,10 +14,10 @@ bool is_hole(const OneRingRegion& region) {
 }  // namespace
 
 void Sweep::clear() {
-  Plain::clear();
+  FirmwareSweep::clear();
   edges_.clear();
   is_due_ = false;
-  below_waits_ = false;
+  has_ends_from_below_ = false;
   handed_word_ = 0;
   keeps_nodes_ = chains_.start(slots());
 }
@@ -34,7 +34,7 @@ bool Sweep::sweep(const detail::trace::SweptRow& row, const BitIntake& intake, c
       return true;
     }
   }
-  return sweep_plain(row, intake, sink, statistics);
+  return sweep_as_firmware(row, intake, sink, statistics);
 }
 
 bool Sweep::flush(const Sink& sink, Statistics& statistics) {
@@ -50,7 +50,7 @@ bool Sweep::deliver_remaining_holes(const Sink& sink, Statistics& statistics) {
     chains_.find_complete(slots());
     if (!deliver(sink, statistics)) return false;
   }
-  return Plain::deliver_remaining_holes(sink, statistics);
+  return FirmwareSweep::deliver_remaining_holes(sink, statistics);
 }
 
 uint32_t Sweep::left_triangle_parts() const {
@@ -80,16 +80,16 @@ bool Sweep::ensure_room(const detail::trace::SweptRow& row) {
 void Sweep::hand_over(const detail::trace::SweptRow& row) {
   keeps_nodes_ = false;
   if (row.role == SlabRole::below_slab) return chains_.release_all(slots());
-  below_waits_ = true;
+  has_ends_from_below_ = true;
   handed_word_ = edges_.word();
   passes_.continue_from(handed_word_);
   chains_.hand_over(fragments_, row, handed_word_);
 }
 
-bool Sweep::sweep_plain(const detail::trace::SweptRow& row, const BitIntake& intake,
-                        const Sink& sink, Statistics& statistics) {
+bool Sweep::sweep_as_firmware(const detail::trace::SweptRow& row, const BitIntake& intake,
+                              const Sink& sink, Statistics& statistics) {
   detail::trace::SweptRow rest = row;
-  if (below_waits_ && row.is_own()) rest.role = SlabRole::inside;
+  if (has_ends_from_below_ && row.is_own()) rest.role = SlabRole::inside;
   if (row.role == SlabRole::above_slab && handed_word_ > 0) {
     // The row above a slab is swept twice; both sweeps begin at handed_word_.
     fragments_.set_below_is_lost(false);
@@ -100,7 +100,7 @@ bool Sweep::sweep_plain(const detail::trace::SweptRow& row, const BitIntake& int
     }
     if (!process_passes(row, intake, sink, statistics)) return false;
     chains_are_ended_ = false;
-  } else if (!Plain::sweep(rest, intake, sink, statistics)) {
+  } else if (!FirmwareSweep::sweep(rest, intake, sink, statistics)) {
     return false;
   }
   handed_word_ = 0;

@@ -15,13 +15,13 @@ namespace discmc::host {
 class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
  public:
   static constexpr bool is_lean = false;
-  using Plain = detail::trace::Sweep<uint32_t, NoNormal>;
+  using FirmwareSweep = detail::trace::Sweep<uint32_t, NoNormal>;
 
-  using Plain::delivery;
-  using Plain::fragments;
+  using FirmwareSweep::delivery;
+  using FirmwareSweep::fragments;
 
   void start(Arena& arena, const Capacities& capacities) {
-    Plain::start(arena, capacities);
+    FirmwareSweep::start(arena, capacities);
     receiver_ = {};
   }
   void set_capacities(const ChainCapacities& capacities) { chains_.set_capacities(capacities); }
@@ -41,8 +41,8 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
  private:
   using Slots = Chains::Slots;
 
-  bool sweep_plain(const detail::trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
-                   Statistics& statistics);
+  bool sweep_as_firmware(const detail::trace::SweptRow& row, const BitIntake& intake,
+                         const Sink& sink, Statistics& statistics);
   bool ensure_room(const detail::trace::SweptRow& row);
   void hand_over(const detail::trace::SweptRow& row);
   void process_edges(Statistics& statistics);
@@ -55,9 +55,9 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
   Slots& slots() { return fragments_.slots(); }
 
   bool keeps_nodes_ = false;
-  bool is_due_ = false;       // rings or complete fragments may wait for delivery
-  bool below_waits_ = false;  // queues hold ends from below a slab, or have lost some
-  uint32_t handed_word_ = 0;  // the word of a row at which chains were handed over
+  bool is_due_ = false;               // rings or complete fragments may wait for delivery
+  bool has_ends_from_below_ = false;  // whether queues count ends from below a slab
+  uint32_t handed_word_ = 0;          // the word of a row at which chains were handed over
   RegionReceiver receiver_;
   Edges edges_;
   FoundPasses found_;
