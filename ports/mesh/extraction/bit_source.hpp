@@ -41,7 +41,7 @@ class BitSource {
     }
   }
 
-  /// Processes the next slice to read, and calls `call` for every given row that is due afterwards.
+  /// Processes the next slice to read, and calls `call` for every row to push that is then due.
   /// mask: the rows of its mask, if there is one.
   template <class Call>
   void add_slice(const void* samples, const std::uint8_t* mask, Call call) {
@@ -58,7 +58,7 @@ class BitSource {
   template <class Call>
   void finish(Call call) {
     while (filter_next([](OwnFilter& own, std::size_t) { return own.filter.drain(); }))
-      pass_on(filtered_.data(), call);
+      push_row(filtered_.data(), call);
   }
 
   /// Counts NaN in rows of its own slices.
@@ -68,10 +68,10 @@ class BitSource {
  private:
   template <class Call>
   void add_row(std::uint8_t* row, Call call) {
-    if (filters_.empty()) return pass_on(row, call);
+    if (filters_.empty()) return push_row(row, call);
     if (filter_next(
             [&](OwnFilter& own, std::size_t i) { return own.filter.push(row + i * row_bytes_); }))
-      pass_on(filtered_.data(), call);
+      push_row(filtered_.data(), call);
   }
   // Passes the next row to the filters, which all are at one position. Returns whether each filter
   // has a row.
@@ -86,9 +86,9 @@ class BitSource {
     return has_row;
   }
   template <class Call>
-  void pass_on(std::uint8_t* row, Call call) {
+  void push_row(std::uint8_t* row, Call call) {
     if (!mask_.empty()) apply_mask(row);
-    if (!spans_.given.holds(static_cast<std::uint32_t>(row_++ / height_))) return;
+    if (!spans_.pushed.holds(static_cast<std::uint32_t>(row_++ / height_))) return;
     for (std::size_t i = 0; i < is_full_.size(); ++i)
       is_full_[i] =
           is_full_[i] && std::equal(full_row_.begin(), full_row_.end(), row + i * row_bytes_);
@@ -104,7 +104,7 @@ class BitSource {
 
   SlabSpans spans_;
   std::uint32_t slice_;  // next slice
-  std::uint64_t row_;    // next row to pass on
+  std::uint64_t row_;    // next row to push
   std::uint32_t height_;
   std::size_t row_bytes_;
   std::vector<std::uint8_t> bits_;      // of the current slice

@@ -78,19 +78,19 @@ void LabelRun::extract(const Limits& limits, bool filters_by_majority, HostScan&
     high[axis] = std::min(high[axis] + margin, ends[axis]);
   }
 
-  const Limits of_box{high[0] - low[0], high[1] - low[1], limits.border};
+  const Limits box_limits{high[0] - low[0], high[1] - low[1], limits.border};
   MovedSurface moved(surface, low);
-  scan.start(of_box, make_sink(moved), make_region_receiver(moved));
-  RowSender rows(of_box, filters_by_majority, scan);
-  const std::size_t row_bytes = bit_row_bytes(of_box.width);
-  std::vector<std::uint8_t> bits(row_bytes * of_box.height);
+  scan.start(box_limits, make_sink(moved), make_region_receiver(moved));
+  RowSender rows(box_limits, filters_by_majority, scan);
+  const std::size_t row_bytes = bit_row_bytes(box_limits.width);
+  std::vector<std::uint8_t> bits(row_bytes * box_limits.height);
   auto next = stretches_.begin();
   for (std::uint32_t z = low[2]; z < high[2]; ++z) {
     std::fill(bits.begin(), bits.end(), std::uint8_t{0});
     for (; next != stretches_.end() && next->slice == z; ++next)
       set_bits(bits.data() + (next->y - low[1]) * row_bytes, next->begin - low[0],
                next->end - low[0]);
-    for (std::uint32_t y = 0; y < of_box.height; ++y) rows.push(bits.data() + y * row_bytes);
+    for (std::uint32_t y = 0; y < box_limits.height; ++y) rows.push(bits.data() + y * row_bytes);
   }
   rows.finish();
   surface.finish();

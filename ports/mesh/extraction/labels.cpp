@@ -79,11 +79,11 @@ class LabelScan {
     JoinedSurface surface;
     label.run->extract(limits_, options_.filters_by_majority, scan_, surface);
     label.run.reset();
-    Polygons& found = surface.surface().polygons;
+    Polygons& polygons = surface.surface().polygons;
     if (label.polygons.empty()) {
-      label.polygons = std::move(found);
+      label.polygons = std::move(polygons);
     } else {
-      label.polygons.append(found);
+      label.polygons.append(polygons);
       label.polygons.sort();
     }
   }

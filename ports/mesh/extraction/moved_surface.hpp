@@ -14,21 +14,22 @@ class MovedSurface {
  public:
   /// surface: Owner: the caller. first: the box's first voxel in the volume.
   MovedSurface(JoinedSurface& surface, const std::array<std::uint32_t, 3>& first)
-      : surface_(surface), by_{half_steps(first[0]), half_steps(first[1]), half_steps(first[2])} {}
+      : surface_(surface),
+        offset_{half_steps(first[0]), half_steps(first[1]), half_steps(first[2])} {}
 
   SinkResult accept(const Event& event) {
     Event moved = event;
-    moved.start = event.start + by_;
+    moved.start = event.start + offset_;
     return surface_.accept(moved);
   }
   SinkResult accept_region(const OneRingRegion& region) {
     OneRingRegion moved = region;
-    moved.move(by_);
+    moved.move(offset_);
     return surface_.accept_region(moved);
   }
 
-  /// Returns the vector from the box to its position.
-  const Vertex& by() const { return by_; }
+  /// Returns the vector from the origin of the volume to the box.
+  const Vertex& offset() const { return offset_; }
 
  private:
   static std::int32_t half_steps(std::uint32_t voxels) {
@@ -36,7 +37,7 @@ class MovedSurface {
   }
 
   JoinedSurface& surface_;
-  Vertex by_;
+  Vertex offset_;
 };
 
 }  // namespace discmc::meshing

@@ -28,7 +28,7 @@ namespace {
 //
 // If a fragment of its plane is sent before a hole, the hole is sent as a loose ring, although its
 // region is whole. Then the region must be joined, too. Holes that cross a seam belong to regions
-// that cross it: no hole lies entirely below or above what surrounds it.
+// that cross it: no hole lies entirely below or above the ring around it.
 class PartSurface {
  public:
   explicit PartSurface(const SurfaceRequest& request) {
@@ -59,7 +59,7 @@ class PartSurface {
   }
 
   // Sends the pieces to join to the joiner, which has the request's sink.
-  void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
+  void deliver_to(const SurfaceRequest& request, GrowingJoiner& joiner) {
     if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.replay(make_sink(joiner));
     if (packets_) packets_->append_to(*request.encoder);
@@ -90,10 +90,10 @@ class PartSurface {
       fragment_ = event;
       end_ = event.start;
     } else if (fragment_ && event.kind == Event::Kind::run) {
-      last_ = event.run.direction();
-      translate(end_, fragment_->incidence, last_, event.run.length());
+      last_direction_ = event.run.direction();
+      translate(end_, fragment_->incidence, last_direction_, event.run.length());
     } else if (fragment_ && event.kind == Event::Kind::fragment_end) {
-      if (end_ == fragment_->start && last_ == fragment_->incoming_direction)
+      if (end_ == fragment_->start && last_direction_ == fragment_->incoming_direction)
         ring_planes_.insert(plane_of(fragment_->incidence, end_));
       fragment_.reset();
     }
@@ -110,7 +110,7 @@ class PartSurface {
   Destination destination_ = Destination::joined;  // of the current events
   std::optional<Event> fragment_;                  // the current one
   Vertex end_{};                                   // of the current fragment
-  Direction last_ = 0;                             // direction in which it reached end_
+  Direction last_direction_ = 0;                   // direction in which it reached end_
   std::unordered_set<std::uint64_t> ring_planes_;
   // The whole regions, in the requested forms.
   std::optional<SurfaceBuilder> polygons_;
@@ -148,11 +148,11 @@ class OverlappingSlices {
   void fill(const SliceSpan& span, Array<std::uint8_t>& slices, Read read) {
     const std::size_t shared = end_ > span.first ? (end_ - span.first) * slice_bytes_ : 0;
     slices.resize(span.count() * slice_bytes_);
-    std::copy(last_.end() - shared, last_.end(), slices.begin());
+    std::copy(kept_slices_.end() - shared, kept_slices_.end(), slices.begin());
     for (std::size_t at = shared; at < slices.size(); at += slice_bytes_) read(&slices[at]);
     const std::size_t kept = std::min<std::size_t>(max_shared, span.count()) * slice_bytes_;
-    last_.resize(0);
-    last_.append(slices.end() - kept, kept);
+    kept_slices_.resize(0);
+    kept_slices_.append(slices.end() - kept, kept);
     end_ = span.end;
   }
 
@@ -161,7 +161,7 @@ class OverlappingSlices {
   static constexpr std::size_t max_shared = 4;
 
   std::size_t slice_bytes_;
-  Array<std::uint8_t> last_;
+  Array<std::uint8_t> kept_slices_;
   std::uint32_t end_ = 0;
 };
 
@@ -169,21 +169,22 @@ class OverlappingSlices {
 class PartReader {
  public:
   PartReader(SliceReader& volume, SliceReader* mask, const std::vector<SurfaceRequest>& surfaces)
-      : volume_(volume), samples_(volume.info().slice_bytes()), bits_(0) {
+      : volume_(volume), sample_slices_(volume.info().slice_bytes()), mask_slices_(0) {
     for (const SurfaceRequest& surface : surfaces)
       if (surface.crossings != nullptr) crossings_.push_back(surface.crossings);
     if (mask == nullptr) return;
     mask_.emplace(*mask);
     mask_bytes_ = bit_row_bytes(mask->info().dims[0]) * mask->info().dims[1];
-    bits_ = OverlappingSlices(mask_bytes_);
+    mask_slices_ = OverlappingSlices(mask_bytes_);
   }
 
   void read(Part& part) {
     const SliceSpan& span = part.spans.read;
     skip_to(span.first);
-    samples_.fill(span, part.samples, [this](std::uint8_t* slice) { volume_.read_slice(slice); });
+    sample_slices_.fill(span, part.samples,
+                        [this](std::uint8_t* slice) { volume_.read_slice(slice); });
     if (mask_)
-      bits_.fill(span, part.mask, [this](std::uint8_t* slice) {
+      mask_slices_.fill(span, part.mask, [this](std::uint8_t* slice) {
         std::memcpy(slice, mask_->next_slice(), mask_bytes_);
       });
     for (; end_ < span.end; ++end_)
@@ -200,10 +201,10 @@ class PartReader {
   }
 
   SliceReader& volume_;
-  OverlappingSlices samples_;
+  OverlappingSlices sample_slices_;
   std::optional<MaskBits> mask_;
   std::size_t mask_bytes_ = 0;
-  OverlappingSlices bits_;
+  OverlappingSlices mask_slices_;
   std::vector<CrossingFinder*> crossings_;
   std::uint32_t end_ = 0;  // end of the slices that were read or skipped
 };
@@ -247,7 +248,7 @@ class PartExtraction {
   std::vector<Extraction> extract() {
     run_in_order<Part>(
         *options_.jobs, spans_.size(), [this](std::size_t i, Part& part) { read(i, part); },
-        [this](std::size_t, Part& part) { work_on(part); },
+        [this](std::size_t, Part& part) { extract_with_enough_memory(part); },
         [this](std::size_t, Part& part) { deliver(part); });
     for (std::size_t i = 0; i < requests_.size(); ++i) finish(*joiners_[i], sums_[i].statistics);
     return sums_;
@@ -262,7 +263,7 @@ class PartExtraction {
 
   // With little memory, some pieces are sent loose although they cross no seam. They would have to
   // be joined before the whole regions.
-  void work_on(Part& part) {
+  void extract_with_enough_memory(Part& part) {
     std::unique_ptr<PartExtractors> extractors = idle_.acquire();
     if (!extractors) extractors = new_extractors(first_arena_bytes());
     for (;;) {
@@ -298,7 +299,7 @@ class PartExtraction {
 
   void deliver(Part& part) {
     for (std::size_t i = 0; i < requests_.size(); ++i)
-      part.surfaces[i].pass_on(requests_[i], *joiners_[i]);
+      part.surfaces[i].deliver_to(requests_[i], *joiners_[i]);
     part.surfaces.clear();
     add(part.extractions);
     if (progress_) progress_(part.spans.own.end);

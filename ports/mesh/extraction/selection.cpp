@@ -100,14 +100,14 @@ void prefetch_after([[maybe_unused]] const Sample* samples, [[maybe_unused]] std
 // is_on: without a branch, and a copy, so that compilers vectorise it.
 template <class Sample, class Condition>
 void select_row(const Sample* samples, std::uint32_t width, Condition is_on, std::uint8_t* bits) {
-  constexpr std::uint32_t many = 64;
-  std::array<std::uint8_t, many> flags{};
+  constexpr std::uint32_t group = 64;
+  std::array<std::uint8_t, group> flags{};
   std::uint32_t left = width;
-  for (; left >= many; left -= many, samples += many, bits += many / 8) {
-    prefetch_after(samples, many);
-    for (std::uint32_t i = 0; i < many; ++i)
+  for (; left >= group; left -= group, samples += group, bits += group / 8) {
+    prefetch_after(samples, group);
+    for (std::uint32_t i = 0; i < group; ++i)
       flags[i] = static_cast<std::uint8_t>(is_on(samples[i]));
-    for (std::uint32_t i = 0; i < many; i += 8) bits[i / 8] = packed(flags.data() + i);
+    for (std::uint32_t i = 0; i < group; i += 8) bits[i / 8] = packed(flags.data() + i);
   }
   flags = {};
   for (std::uint32_t i = 0; i < left; ++i) flags[i] = static_cast<std::uint8_t>(is_on(samples[i]));

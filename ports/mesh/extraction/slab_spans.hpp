@@ -25,8 +25,8 @@ struct SliceSpan {
 
 struct SlabSpans {
   SliceSpan own;
-  SliceSpan given;  ///< given to the extractor: includes a slice of each neighbour
-  SliceSpan read;   ///< read for these: a MajorityFilter needs a slice on either side
+  SliceSpan pushed;  ///< to the extractor: includes a slice of each neighbour
+  SliceSpan read;    ///< read for the pushed slices: a MajorityFilter needs one more on either side
 };
 
 /// slab: nothing for the whole volume. depth: of the volume.
@@ -36,8 +36,8 @@ inline SliceSpan slices_of(const std::optional<SlabRange>& slab, std::uint32_t d
 
 /// own: the slices of the slab. depth: of the volume.
 inline SlabSpans slab_spans(const SliceSpan& own, std::uint32_t depth, bool filters_by_majority) {
-  const SliceSpan given = own.widened(1, depth);
-  return {own, given, given.widened(filters_by_majority ? 1 : 0, depth)};
+  const SliceSpan pushed = own.widened(1, depth);
+  return {own, pushed, pushed.widened(filters_by_majority ? 1 : 0, depth)};
 }
 
 /// Returns the slab in the form of the extractor. depth: of the volume.

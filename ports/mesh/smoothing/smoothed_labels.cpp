@@ -143,7 +143,7 @@ class LabelSmoother {
     SmoothedVolume smooth(mask, {1}, nullptr, deviation_mm_);
     JoinedSurface joined;
     MovedSurface moved(joined, wide.first);
-    CrossingFinder crossings(smooth.info(), {0}, moved.by(), true);
+    CrossingFinder crossings(smooth.info(), {0}, moved.offset(), true);
     SurfaceRequest request{{0}, make_sink(moved), &crossings};
     request.regions = make_region_receiver(moved);
     SurfaceOptions options;

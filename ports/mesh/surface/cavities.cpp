@@ -63,15 +63,15 @@ class Rays {
       if (lines_.empty() || lines_.back() != start.line) lines_.push_back(start.line);
   }
 
-  // Finds where lines meet a polygon. Cost: the sides, once per line of another z, and the
-  // meetings.
+  // Finds the points at which lines meet a polygon. Cost: per side, the different z of lines that
+  // it passes; and the points.
   void meet(const Polygon& polygon, std::size_t component) {
     const Vertex n = incidence_normal(polygon.incidence);
     if (n.x == 0) return;
     crossings_.clear();
     for (const Ring& ring : polygon.rings)
       for (std::size_t i = 0; i < ring.size(); ++i)
-        cross(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+        add_crossings(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
     std::sort(crossings_.begin(), crossings_.end());
     // Lines between the first crossing and the second lie inside, and so on.
     for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
@@ -105,7 +105,7 @@ class Rays {
 
   // Adds where a side crosses each z of the lines. Along y a side changes as much as along z, or
   // not at all.
-  void cross(const Vertex& a, const Vertex& b) {
+  void add_crossings(const Vertex& a, const Vertex& b) {
     const Vertex& low = a.z < b.z ? a : b;
     const Vertex& high = a.z < b.z ? b : a;
     const Doubled slope = high.y > low.y ? 1 : high.y < low.y ? -1 : 0;
@@ -156,7 +156,8 @@ Rays rays_between(const Surface& surface, const std::vector<Component>& componen
 void fill_cavities(const Surface& surface, std::vector<Component>& components) {
   std::vector<int> depth(components.size());  // cavities around each body
   rays_between(surface, components, false)
-      .for_each_meeting([&](std::size_t body, const Meeting& met) { depth[body] += met.enters; });
+      .for_each_meeting(
+          [&](std::size_t body, const Meeting& meeting) { depth[body] += meeting.enters; });
   std::size_t number = 0;
   components.erase(std::remove_if(components.begin(), components.end(),
                                   [&](const Component& component) {
@@ -169,8 +170,8 @@ std::vector<std::size_t> bodies_of(const Surface& surface,
                                    const std::vector<Component>& components) {
   std::map<std::pair<std::size_t, std::size_t>, int> depth;  // of a cavity in a body
   rays_between(surface, components, true)
-      .for_each_meeting([&](std::size_t cavity, const Meeting& met) {
-        depth[{cavity, met.component}] -= met.enters;
+      .for_each_meeting([&](std::size_t cavity, const Meeting& meeting) {
+        depth[{cavity, meeting.component}] -= meeting.enters;
       });
   std::vector<std::size_t> bodies(components.size());
   std::iota(bodies.begin(), bodies.end(), std::size_t{0});

@@ -101,19 +101,19 @@ std::vector<Component> components(const Surface& surface) {
   Sets sets(surface.polygons.size());
   join_neighbours(sorted_sides(surface), sets);
 
-  std::vector<Component> found;
+  std::vector<Component> result;
   std::vector<std::uint32_t> index_of(surface.polygons.size());
   for (std::uint32_t i = 0; i < index_of.size(); ++i) {
     const std::uint32_t root = sets.root(i);
     if (root == i) {
-      index_of[i] = static_cast<std::uint32_t>(found.size());
-      found.emplace_back();
+      index_of[i] = static_cast<std::uint32_t>(result.size());
+      result.emplace_back();
     }
-    found[index_of[root]].polygons.push_back(i);
+    result[index_of[root]].polygons.push_back(i);
   }
-  const auto& s = surface.spacing_mm;
-  const double unit_mm3 = std::fabs(s[0] * s[1] * s[2]) / 8;
-  for (Component& component : found) {
+  const auto& spacing = surface.spacing_mm;
+  const double unit_mm3 = std::fabs(spacing[0] * spacing[1] * spacing[2]) / 8;
+  for (Component& component : result) {
     // The origin is near, so that rounding errors stay small.
     const Vertex origin = surface.polygons[component.polygons[0]].rings[0][0];
     double sum = 0;
@@ -121,7 +121,7 @@ std::vector<Component> components(const Surface& surface) {
       sum += six_volumes(surface.polygons[polygon], origin);
     component.volume_mm3 = sum / 6 * unit_mm3;
   }
-  return found;
+  return result;
 }
 
 namespace {
@@ -130,15 +130,16 @@ double size_of(const Component& component) {
   return std::fabs(component.volume_mm3);
 }
 
-Surface surface_of(const Surface& all, const std::vector<Component>& components) {
-  std::vector<std::uint32_t> stay;
+Surface surface_of(const Surface& surface, const std::vector<Component>& components) {
+  std::vector<std::uint32_t> kept_polygons;
   for (const Component& component : components)
-    stay.insert(stay.end(), component.polygons.begin(), component.polygons.end());
-  std::sort(stay.begin(), stay.end());
-  Surface surface;
-  surface.spacing_mm = all.spacing_mm;
-  for (const std::uint32_t polygon : stay) surface.polygons.push_back(all.polygons[polygon]);
-  return surface;
+    kept_polygons.insert(kept_polygons.end(), component.polygons.begin(), component.polygons.end());
+  std::sort(kept_polygons.begin(), kept_polygons.end());
+  Surface kept;
+  kept.spacing_mm = surface.spacing_mm;
+  for (const std::uint32_t polygon : kept_polygons)
+    kept.polygons.push_back(surface.polygons[polygon]);
+  return kept;
 }
 
 // The bodies, each with its cavities, the largest first.
@@ -165,7 +166,7 @@ std::vector<std::vector<Component>> grouped(const Surface& surface,
 
 ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice) {
   std::vector<Component> kept = components(surface);
-  const std::uint64_t found = kept.size();
+  const std::uint64_t found_count = kept.size();
   if (choice.fills) fill_cavities(surface, kept);
   kept.erase(std::remove_if(kept.begin(), kept.end(),
                             [&](const Component& component) {
@@ -179,7 +180,7 @@ ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice)
       std::move(group.begin(), group.end(), std::back_inserter(kept));
   }
   surface.polygons = surface_of(surface, kept).polygons;
-  return {found, kept.size()};
+  return {found_count, kept.size()};
 }
 
 std::vector<Surface> bodies(const Surface& surface) {

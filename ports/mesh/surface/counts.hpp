@@ -19,11 +19,11 @@ struct Counts {
   std::uint64_t normals = 0;  ///< corners with a normal
 };
 
-inline Counts& operator+=(Counts& sum, const Counts& more) {
+inline Counts& operator+=(Counts& sum, const Counts& other) {
   for (auto count : {&Counts::regions, &Counts::rings, &Counts::holes, &Counts::links,
                      &Counts::corners, &Counts::of_three_corners, &Counts::of_four_corners,
                      &Counts::of_more_corners, &Counts::normals})
-    sum.*count += more.*count;
+    sum.*count += other.*count;
   return sum;
 }
 

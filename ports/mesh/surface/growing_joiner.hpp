@@ -13,7 +13,7 @@ namespace discmc::meshing {
 
 /// A sink before another sink. Accepts the events of scans, and makes regions of loose fragments.
 /// Fragments without partners reach the other sink loose. A joiner that runs short of memory sends
-/// all it holds to the next joiner, which has four times the memory.
+/// all its chains to the next joiner, which has four times the memory.
 class GrowingJoiner {
  public:
   static constexpr std::size_t first_bytes = std::size_t{1} << 20;
@@ -36,7 +36,7 @@ class GrowingJoiner {
   /// Ends the events, even if a stream broke off before its `finish`.
   void finish();
 
-  /// Whether a loose fragment has come. Until then every region is whole.
+  /// Whether a loose fragment has arrived. Until then every region is whole.
   bool has_fragments() const { return has_fragments_; }
 
   /// Returns the totals of the `finish` event; zeroes before it.

@@ -29,15 +29,15 @@ constexpr PlaneAxes plane_axes(Incidence incidence) {
   return {&Vertex::z, &Vertex::y, &Vertex::x};
 }
 constexpr std::array<PlaneAxes, incidence_codes> all_plane_axes() {
-  std::array<PlaneAxes, incidence_codes> all{};
-  for (Incidence i = 0; i < incidence_codes; ++i) all[i] = plane_axes(i);
-  return all;
+  std::array<PlaneAxes, incidence_codes> table{};
+  for (Incidence i = 0; i < incidence_codes; ++i) table[i] = plane_axes(i);
+  return table;
 }
 }  // namespace derive
 
 inline const PlaneAxes& plane_axes(Incidence incidence) {
-  static constexpr std::array<PlaneAxes, incidence_codes> all = derive::all_plane_axes();
-  return all[incidence];
+  static constexpr std::array<PlaneAxes, incidence_codes> table = derive::all_plane_axes();
+  return table[incidence];
 }
 
 }  // namespace discmc::meshing

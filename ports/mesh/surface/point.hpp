@@ -21,7 +21,7 @@ inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The vector with the length 1, or zero where it has no direction.
+/// Returns the vector with the length 1, or zero if the vector has no direction.
 inline Point unit_or_zero(const Point& a) {
   const double length = std::hypot(a[0], a[1], a[2]);
   if (!(length > 0) || !std::isfinite(length)) return {};

@@ -1,4 +1,4 @@
-// Disjoint sets: which of many things are connected.
+// Disjoint sets of numbers, which find connected polygons or pieces.
 #ifndef DISCMC_MESH_SURFACE_SETS_HPP
 #define DISCMC_MESH_SURFACE_SETS_HPP
 

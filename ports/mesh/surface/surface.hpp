@@ -33,18 +33,18 @@ struct Side {
 /// Returns the number of links between two corners of a side. A link is two half-steps along one
 /// axis, or one half-step along each of two axes.
 inline std::int32_t links_between(const discmc::Vertex& from, const discmc::Vertex& to) {
-  const discmc::Vertex way = to - from;
-  return (std::abs(way.x) + std::abs(way.y) + std::abs(way.z)) / 2;
+  const discmc::Vertex vector = to - from;
+  return (std::abs(vector.x) + std::abs(vector.y) + std::abs(vector.z)) / 2;
 }
 
 /// Returns the side from one corner to another.
 inline Side side_between(const discmc::Vertex& from, const discmc::Vertex& to) {
-  const discmc::Vertex way = to - from;
+  const discmc::Vertex vector = to - from;
   const std::int32_t links = links_between(from, to);
   const auto along = [links](std::int32_t distance) {
     return (distance > 0) + (distance > links) - (distance < 0) - (distance < -links);
   };
-  return {{along(way.x), along(way.y), along(way.z)}, links};
+  return {{along(vector.x), along(vector.y), along(vector.z)}, links};
 }
 
 /// All polygons of a volume.

@@ -19,10 +19,10 @@ Vertex after_links(const Vertex& from, const Side& side, std::int32_t links) {
 
 // Returns the link of a side behind which a vertex lies; 0 if the vertex is not within the side.
 std::int32_t link_at(const Vertex& from, const Side& side, const Vertex& vertex) {
-  const Vertex way = vertex - from;
-  const std::int32_t link = side.link.x != 0   ? way.x / side.link.x
-                            : side.link.y != 0 ? way.y / side.link.y
-                                               : way.z / side.link.z;
+  const Vertex vector = vertex - from;
+  const std::int32_t link = side.link.x != 0   ? vector.x / side.link.x
+                            : side.link.y != 0 ? vector.y / side.link.y
+                                               : vector.z / side.link.z;
   const bool is_between = link > 0 && link < side.links;
   return is_between && after_links(from, side, link) == vertex ? link : 0;
 }
@@ -128,7 +128,7 @@ bool SurfaceBuilder::is_sound(const Chain& chain) const {
 // Reads the corners of a ring. Returns whether it only turns left. Such rings are simple, because
 // no ring of a sweep crosses itself.
 bool SurfaceBuilder::read_region_corners(const OneRingRegion& region) {
-  const std::uint32_t count = region.corner_count(), round = direction_count(incidence_);
+  const std::uint32_t count = region.corner_count(), full_turn = direction_count(incidence_);
   std::uint32_t max_turn = 0;
   corners_.resize(count);
   Vertex* corner = corners_.begin();
@@ -136,31 +136,32 @@ bool SurfaceBuilder::read_region_corners(const OneRingRegion& region) {
     corner[i] = region.corner(i);
     max_turn = std::max(max_turn, region.left_turn(i));
   }
-  return 2 * max_turn < round;
+  return 2 * max_turn < full_turn;
 }
 
 // Reads the corners of a ring. Returns whether it only turns to one side, and winds once, which
 // makes it simple. A stream may contain any ring.
 bool SurfaceBuilder::read_chain_corners(const Chain& chain) {
   if (chain.begin == chain.end) return false;
-  const int round = direction_count(incidence_);
-  int left = 0, right = 0;
+  const int full_turn = direction_count(incidence_);
+  int left_turns = 0, right_turns = 0;
   Vertex vertex = chain.start;
   Direction before = chain.end[-1].direction();
   for (const Run* run = chain.begin; run != chain.end; ++run) {
     const Direction direction = run->direction();
     if (direction != before) {
-      const int turn = direction - before + (direction < before ? round : 0);
-      if (2 * turn < round)
-        left += turn;
+      const int turn = direction - before + (direction < before ? full_turn : 0);
+      if (2 * turn < full_turn)
+        left_turns += turn;
       else
-        right += 2 * turn == round ? round : round - turn;  // back: no such ring is simple
+        right_turns +=
+            2 * turn == full_turn ? full_turn : full_turn - turn;  // back: no such ring is simple
       corners_.push_back(vertex);
     }
     before = direction;
     translate(vertex, incidence_, direction, run->length());
   }
-  return left + right == round && (left == 0 || right == 0);
+  return left_turns + right_turns == full_turn && (left_turns == 0 || right_turns == 0);
 }
 
 // Whether a ring meets no vertex twice, by a bit for each vertex in a window around it. Returns
