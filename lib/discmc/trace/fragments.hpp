@@ -109,7 +109,7 @@ class Fragments {
     queues_.start(queues);
     reserved_for_slice_ =
         capacity / 2 < max_reserved_for_slice ? capacity / 2 : max_reserved_for_slice;
-    plenty_for_ends_ = slots_per_pass + 2 * reserved_for_slice_;
+    spare_for_all_ends_ = slots_per_pass + 2 * reserved_for_slice_;
   }
   void clear() {
     slots_.clear();
@@ -206,7 +206,7 @@ class Fragments {
   Index pop(uint8_t queue) { return queues_.pop(slots_, queue); }
   // Whether an end may wait.
   bool admits(uint8_t queue, Index mate) const {
-    return spare() >= plenty_for_ends_ || spare() >= min_spare(queue, mate);
+    return spare() >= spare_for_all_ends_ || spare() >= min_spare(queue, mate);
   }
   uint32_t min_spare(uint8_t queue, Index mate) const;
   // Whether fragments must be sent early, and this one is long enough.
@@ -219,7 +219,7 @@ class Fragments {
 
   Slots slots_;                      // first, so its address is that of this object: less code
   uint32_t reserved_for_slice_ = 0;  // slots that ends waiting for the next slice must not use
-  uint32_t plenty_for_ends_ = 0;     // while this many are spare, no end is lost
+  uint32_t spare_for_all_ends_ = 0;  // while this many are spare, no end is lost
   Outgoing<Index> outgoing_;
   Queues<Index, Normal> queues_;
 };

@@ -71,34 +71,34 @@ void add_normals(const Surface& surface, FaceMesh& mesh, const MeshOptions& opti
 // vertices: the vertices of the mesh, by their VertexNumbers.
 MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& vertices,
                          bool is_mirrored, unsigned threads) {
-  MeshPolygons all;
+  MeshPolygons polygons;
   const VertexNumbers numbers(surface.polygons, threads);
   for (const Polygon& polygon : surface.polygons) {
-    const std::size_t outer = all.corner_begin.back();
+    const std::size_t outer = polygons.corner_begin.back();
     for (const Ring& ring : polygon.rings) {
-      const std::size_t begin = all.corner_begin.back();
-      for (const Vertex& corner : ring) all.corners.push_back(numbers.find(corner));
-      all.corner_begin.push_back(begin + ring.size());
-      const auto first = all.corners.begin() + static_cast<std::ptrdiff_t>(begin);
+      const std::size_t begin = polygons.corner_begin.back();
+      for (const Vertex& corner : ring) polygons.corners.push_back(numbers.find(corner));
+      polygons.corner_begin.push_back(begin + ring.size());
+      const auto first = polygons.corners.begin() + static_cast<std::ptrdiff_t>(begin);
       if (is_mirrored) std::reverse(first, first + static_cast<std::ptrdiff_t>(ring.size()));
     }
-    all.ring_begin.push_back(all.ring_begin.back() + polygon.rings.size());
-    all.normals.push_back(
-        unit_or_zero(area_vector(vertices, all.corners.data() + outer, polygon.rings[0].size())));
+    polygons.ring_begin.push_back(polygons.ring_begin.back() + polygon.rings.size());
+    polygons.normals.push_back(unit_or_zero(
+        area_vector(vertices, polygons.corners.data() + outer, polygon.rings[0].size())));
   }
-  return all;
+  return polygons;
 }
 
 }  // namespace
 
-void report(const MeshOptions& options, const char* step, std::uint64_t done, std::uint64_t all) {
-  if (options.progress && !options.progress({step, done, all})) throw Cancelled();
+void report(const MeshOptions& options, const char* step, std::uint64_t done, std::uint64_t total) {
+  if (options.progress && !options.progress({step, done, total})) throw Cancelled();
 }
 
 std::function<void(std::uint64_t)> reporter_here(const MeshOptions& options, const char* step,
-                                                 std::uint64_t all) {
-  return [&options, step, all, here = std::this_thread::get_id()](std::uint64_t done) {
-    if (std::this_thread::get_id() == here) report(options, step, done, all);
+                                                 std::uint64_t total) {
+  return [&options, step, total, here = std::this_thread::get_id()](std::uint64_t done) {
+    if (std::this_thread::get_id() == here) report(options, step, done, total);
   };
 }
 
@@ -118,25 +118,25 @@ Selection selection_of(const Level& level) {
 }
 
 SweepAxes sweep_axes(const MeshOptions& options, const AxisOrder& order) {
-  VolumePlacement all{Space::scanner, {}, {}};
+  VolumePlacement placement{Space::scanner, {}, {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    all.axes_mm[axis][axis] = options.spacing[axis];
+    placement.axes_mm[axis][axis] = options.spacing[axis];
     if (!options.placement) continue;
-    all.origin_mm[axis] = (*options.placement)[axis][3];
+    placement.origin_mm[axis] = (*options.placement)[axis][3];
     for (std::size_t row = 0; row < 3; ++row)
-      all.axes_mm[axis][row] = (*options.placement)[row][axis];
+      placement.axes_mm[axis][row] = (*options.placement)[row][axis];
   }
-  const auto& origin = all.origin_mm;
+  const auto& origin = placement.origin_mm;
   if (!std::all_of(origin.begin(), origin.end(),
                    [](double at) { return std::fabs(at) <= max_origin_mm; }))
     refuse("the origin of the placement is " + text_of(origin) +
            "; give coordinates of -1e9 to 1e9");
-  if (!is_usable(all))
+  if (!is_usable(placement))
     refuse(options.placement
                ? "the columns of the placement span no space, or are not 1e-6 to 1e6 long"
                : "the spacing is " + text_of(options.spacing) + "; give distances of 1e-6 to 1e6");
-  VolumePlacement swept = all;
-  for (std::size_t axis = 0; axis < 3; ++axis) swept.axes_mm[axis] = all.axes_mm[order[axis]];
+  VolumePlacement swept = placement;
+  for (std::size_t axis = 0; axis < 3; ++axis) swept.axes_mm[axis] = placement.axes_mm[order[axis]];
   const bool is_mirrored = determinant(swept.axes_mm) < 0;
   if (!options.placement && order == AxisOrder{0, 1, 2})
     return {options.spacing, std::nullopt, is_mirrored};

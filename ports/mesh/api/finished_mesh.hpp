@@ -17,12 +17,12 @@
 namespace discmc::meshing {
 
 /// Calls MeshOptions::progress. Throws Cancelled.
-void report(const MeshOptions& options, const char* step, std::uint64_t done, std::uint64_t all);
+void report(const MeshOptions& options, const char* step, std::uint64_t done, std::uint64_t total);
 
 /// Returns a function that calls report() for a step of several threads. The function does nothing
 /// in threads other than this one.
 std::function<void(std::uint64_t)> reporter_here(const MeshOptions& options, const char* step,
-                                                 std::uint64_t all);
+                                                 std::uint64_t total);
 
 /// Returns the number of threads that the options request.
 unsigned threads_of(const MeshOptions& options);

@@ -189,13 +189,13 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
   ArrayReader array(samples, order, axes.spacing);
   const LabelOptions wanted = label_options(array.info(), options, labels);
   std::vector<SmoothedLabel> smoothed;
-  std::vector<LabelledSurface> found;
+  std::vector<LabelledSurface> extracted;
   if (options.smoothing > 0)
     smoothed = smoothed_labels(
         array, wanted, options.smoothing, options.tolerance,
-        [&](std::size_t done, std::size_t all) { report(options, "smoothing", done, all); });
+        [&](std::size_t done, std::size_t total) { report(options, "smoothing", done, total); });
   else
-    found = extract_labels(array, wanted);
+    extracted = extract_labels(array, wanted);
 
   std::vector<LabelMesh> meshes;
   const auto add = [&](LabelledSurface& label, Crossings* crossings) {
@@ -203,28 +203,28 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
                       finished_mesh(label.surface, crossings, options, axes, 0)});
   };
   for (SmoothedLabel& each : smoothed) add(each.surface, &each.crossings.crossings());
-  for (LabelledSurface& each : found) add(each, nullptr);
+  for (LabelledSurface& each : extracted) add(each, nullptr);
   return meshes;
 }
 
 MeshMeasures measures_of(const Mesh& mesh) {
-  FaceMesh all;
-  all.vertices_mm = mesh.vertices;
+  FaceMesh face_mesh;
+  face_mesh.vertices_mm = mesh.vertices;
   for (const auto& triangle : mesh.triangles) {
-    all.corners.insert(all.corners.end(), triangle.begin(), triangle.end());
-    all.face_begin.push_back(all.corners.size());
+    face_mesh.corners.insert(face_mesh.corners.end(), triangle.begin(), triangle.end());
+    face_mesh.face_begin.push_back(face_mesh.corners.size());
   }
-  const Measures found = measures_of(all);
+  const Measures computed = measures_of(face_mesh);
   MeshMeasures measures;
-  measures.area = found.area_mm2;
-  measures.least = found.min_mm;
-  measures.greatest = found.max_mm;
-  measures.is_closed = found.enclosed.has_value();
-  if (!found.enclosed) return measures;
-  measures.volume = found.enclosed->volume_mm3;
-  measures.centre = found.enclosed->centre_mm;
-  measures.bodies = found.enclosed->bodies;
-  measures.cavities = found.enclosed->cavities;
+  measures.area = computed.area_mm2;
+  measures.least = computed.min_mm;
+  measures.greatest = computed.max_mm;
+  measures.is_closed = computed.enclosed.has_value();
+  if (!computed.enclosed) return measures;
+  measures.volume = computed.enclosed->volume_mm3;
+  measures.centre = computed.enclosed->centre_mm;
+  measures.bodies = computed.enclosed->bodies;
+  measures.cavities = computed.enclosed->cavities;
   return measures;
 }
 

@@ -139,7 +139,7 @@ bool keeps_apart(const Collapse& collapse, const CollapsingMesh& mesh, const Box
   std::vector<ComparedTriangle> moved;
   std::vector<FourBoxes> boxes((collapse.moved.size() + 3) / 4);
   moved.reserve(collapse.moved.size());
-  Box all;
+  Box bounds;
   for (const Collapse::Moved& each : collapse.moved) {
     const std::size_t count = moved.size();
     moved.emplace_back(PlacedTriangle{each.numbers.data(), each.after});
@@ -147,13 +147,13 @@ bool keeps_apart(const Collapse& collapse, const CollapsingMesh& mesh, const Box
       if (collide(moved[i], moved.back())) return false;
     const Box box(each.after);
     boxes[count / 4].set(count % 4, box);
-    all.include(box);
-    all.include(Box(each.before));
+    bounds.include(box);
+    bounds.include(Box(each.before));
   }
-  for (const std::uint32_t removed : collapse.removed) all.include(Box(mesh.corners(removed)));
+  for (const std::uint32_t removed : collapse.removed) bounds.include(Box(mesh.corners(removed)));
 
   const std::uint32_t body = mesh.body(collapse.kept);
-  return !tree.any_near(all, [&](std::uint32_t triangle, const Box& box) {
+  return !tree.any_near(bounds, [&](std::uint32_t triangle, const Box& box) {
     const Triangle& numbers = mesh.triangle(triangle);
     for (const std::uint32_t number : numbers)
       if (number == collapse.kept || number == collapse.gone) return false;

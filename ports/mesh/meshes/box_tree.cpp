@@ -16,7 +16,7 @@ std::uint32_t spread(std::uint32_t number) {
 // Returns the position of a point along Hilbert's curve (J. Skilling, Programming the Hilbert
 // Curve, 2004). The curve fills a cube in steps between neighbours, so a part of it has compact
 // boxes.
-std::uint32_t place_on_curve(std::array<std::uint32_t, 3> at) {
+std::uint32_t position_on_curve(std::array<std::uint32_t, 3> at) {
   for (std::uint32_t bit = 1U << (bits_per_axis - 1); bit > 1; bit /= 2)
     for (std::uint32_t& each : at) {
       const std::uint32_t below = bit - 1, is_set = (each & bit) != 0 ? ~0U : 0U;
@@ -32,16 +32,16 @@ std::uint32_t place_on_curve(std::array<std::uint32_t, 3> at) {
   return spread(at[0] ^ flipped) << 2 | spread(at[1] ^ flipped) << 1 | spread(at[2] ^ flipped);
 }
 
-std::uint32_t place_on_curve(const Box& box, const Box& all) {
+std::uint32_t position_on_curve(const Box& box, const Box& bounds) {
   constexpr float max_coordinate = (1U << bits_per_axis) - 1;
   std::array<std::uint32_t, 3> at;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float size = all.high[axis] - all.low[axis];
+    const float size = bounds.high[axis] - bounds.low[axis];
     const float middle = box.low[axis] / 2 + box.high[axis] / 2;
-    const float part = size > 0 ? std::clamp((middle - all.low[axis]) / size, 0.0F, 1.0F) : 0;
+    const float part = size > 0 ? std::clamp((middle - bounds.low[axis]) / size, 0.0F, 1.0F) : 0;
     at[axis] = static_cast<std::uint32_t>(part * max_coordinate);
   }
-  return place_on_curve(at);
+  return position_on_curve(at);
 }
 
 }  // namespace
@@ -58,40 +58,40 @@ double Box::squared_distance(const Point& point) const {
 }
 
 std::vector<std::uint32_t> along_curve(const std::vector<Box>& boxes, unsigned jobs) {
-  Box all;
-  for (const Box& box : boxes) all.include(box);
+  Box bounds;
+  for (const Box& box : boxes) bounds.include(box);
   std::vector<std::uint64_t> order(boxes.size());  // position along the curve, index of the box
   for_each_range_in_parallel(jobs, boxes.size(), [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i)
-      order[i] = std::uint64_t{place_on_curve(boxes[i], all)} << 32 | i;
+      order[i] = std::uint64_t{position_on_curve(boxes[i], bounds)} << 32 | i;
   });
   std::sort(order.begin(), order.end());
-  std::vector<std::uint32_t> places;
-  places.reserve(order.size());
-  for (const std::uint64_t each : order) places.push_back(static_cast<std::uint32_t>(each));
-  return places;
+  std::vector<std::uint32_t> indexes;
+  indexes.reserve(order.size());
+  for (const std::uint64_t each : order) indexes.push_back(static_cast<std::uint32_t>(each));
+  return indexes;
 }
 
 BoxTree::BoxTree(const std::vector<Box>& boxes, unsigned jobs)
-    : places_(along_curve(boxes, jobs)),
+    : indexes_(along_curve(boxes, jobs)),
       slots_(boxes.size()),
       wanted_(std::max<std::size_t>(1, (boxes.size() + 3) / 4), 0xF) {
   for (std::size_t nodes = 1; nodes < wanted_.size(); nodes *= 4) leaves_ += nodes;
   boxes_.resize(leaves_ + wanted_.size());
-  for_each_range_in_parallel(jobs, places_.size(), [&](std::size_t first, std::size_t end) {
+  for_each_range_in_parallel(jobs, indexes_.size(), [&](std::size_t first, std::size_t end) {
     static_assert(parallel_range % 4 == 0, "no leaf is in two ranges");
     for (std::size_t slot = first; slot < end; ++slot) {
-      slots_[places_[slot]] = static_cast<std::uint32_t>(slot);
-      boxes_[leaves_ + slot / 4].set(slot % 4, boxes[places_[slot]]);
+      slots_[indexes_[slot]] = static_cast<std::uint32_t>(slot);
+      boxes_[leaves_ + slot / 4].set(slot % 4, boxes[indexes_[slot]]);
     }
   });
   for (std::size_t node = boxes_.size() - 1; node > 0; --node)
     boxes_[parent(node)].set((node - 1) % 4, boxes_[node].around(0xF));
 }
 
-void BoxTree::replace(std::uint32_t place, const Box& box) {
-  std::size_t node = leaves_ + slots_[place] / 4;
-  boxes_[node].set(slots_[place] % 4, box);
+void BoxTree::replace(std::uint32_t index, const Box& box) {
+  std::size_t node = leaves_ + slots_[index] / 4;
+  boxes_[node].set(slots_[index] % 4, box);
   for (; node > 0; node = parent(node)) {
     const Box around = boxes_[node].around(0xF);
     if (boxes_[parent(node)][(node - 1) % 4] == around) return;

@@ -29,12 +29,13 @@ struct Box {
   Box() = default;
   explicit Box(const Corners& triangle) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [least, most] =
+      const auto [lowest, highest] =
           std::minmax({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
-      low[axis] = static_cast<float>(least);
-      high[axis] = static_cast<float>(most);
-      if (static_cast<double>(low[axis]) > least) low[axis] = std::nextafter(low[axis], -infinity);
-      if (static_cast<double>(high[axis]) < most) high[axis] = std::nextafter(high[axis], infinity);
+      low[axis] = static_cast<float>(lowest);
+      high[axis] = static_cast<float>(highest);
+      if (static_cast<double>(low[axis]) > lowest) low[axis] = std::nextafter(low[axis], -infinity);
+      if (static_cast<double>(high[axis]) < highest)
+        high[axis] = std::nextafter(high[axis], infinity);
     }
   }
 
@@ -82,10 +83,10 @@ class FourBoxes {
   }
   /// Returns the box around the selected boxes.
   Box around(unsigned bits) const {
-    Box all;
+    Box bounds;
     for (std::size_t i = 0; i < 4; ++i)
-      if ((bits >> i & 1U) != 0) all.include((*this)[i]);
-    return all;
+      if ((bits >> i & 1U) != 0) bounds.include((*this)[i]);
+    return bounds;
   }
   /// Sets bit i if box i overlaps `other`.
   unsigned overlaps(const Box& other) const {
@@ -153,11 +154,11 @@ class BoxTree {
           waiting[at] = {child(node, i), away};
           continue;
         }
-        const std::uint32_t place = places_[slot(node, i)];
-        const double exact = squared_distance_of(place);
+        const std::uint32_t index = indexes_[slot(node, i)];
+        const double exact = squared_distance_of(index);
         if (exact >= nearest) continue;
         nearest = exact;
-        last_ = place;
+        last_ = index;
       }
     }
     return std::max(std::sqrt(nearest), enough);
@@ -167,38 +168,38 @@ class BoxTree {
   /// returns true. Returns whether a call did.
   template <class Call>
   bool any_near(const Box& box, Call call) const {
-    return any_below(0, box, of_places(call));
+    return any_below(0, box, hit_visitor(call));
   }
-  /// Likewise begins at a place, and continues outwards in the tree. This takes less time if a near
-  /// call returns true. Limit: at least one box.
+  /// Likewise begins at the box with the index `from`, and continues outwards in the tree. This
+  /// takes less time if a near call returns true. Limit: at least one box.
   template <class Call>
   bool any_near(const Box& box, std::uint32_t from, Call call) const {
     std::size_t node = leaves_ + slots_[from] / 4;
-    if (any_below(node, box, of_places(call))) return true;
+    if (any_below(node, box, hit_visitor(call))) return true;
     while (node > 0) {
       const std::size_t below = node;
       node = parent(below);
       const unsigned hits = boxes_[node].overlaps(box);
       for (std::size_t i = 0; i < 4; ++i)
         if ((hits >> i & 1U) != 0 && child(node, i) != below &&
-            any_below(child(node, i), box, of_places(call)))
+            any_below(child(node, i), box, hit_visitor(call)))
           return true;
     }
     return false;
   }
 
   /// Replaces a box. Searches become slower if boxes move far.
-  void replace(std::uint32_t place, const Box& box);
+  void replace(std::uint32_t index, const Box& box);
   /// Returns the position of a box in the curve's order when the tree was built: near boxes have
   /// near numbers, from 0 on.
-  std::uint32_t order_of(std::uint32_t place) const { return slots_[place]; }
+  std::uint32_t order_of(std::uint32_t index) const { return slots_[index]; }
 
-  /// Restricts near pairs to pairs with a box for which is_wanted(place) is true.
+  /// Restricts near pairs to pairs with a box for which is_wanted(index) is true.
   template <class IsWanted>
   void keep_pairs_with(IsWanted is_wanted) {
     std::fill(wanted_.begin(), wanted_.end(), std::uint8_t{0});
-    for (std::size_t slot = 0; slot < places_.size(); ++slot)
-      if (is_wanted(places_[slot])) wanted_[slot / 4] |= static_cast<std::uint8_t>(1U << slot % 4);
+    for (std::size_t slot = 0; slot < indexes_.size(); ++slot)
+      if (is_wanted(indexes_[slot])) wanted_[slot / 4] |= static_cast<std::uint8_t>(1U << slot % 4);
   }
   /// Returns the number of parts of the search for near pairs.
   std::size_t part_count() const {
@@ -244,10 +245,10 @@ class BoxTree {
     return false;
   }
   template <class Call>
-  auto of_places(Call& call) const {
+  auto hit_visitor(Call& call) const {
     return [this, &call](std::size_t leaf, unsigned hits) {
       for (std::size_t i = 0; i < 4; ++i)
-        if ((hits >> i & 1U) != 0 && call(places_[slot(leaf, i)], boxes_[leaf][i])) return true;
+        if ((hits >> i & 1U) != 0 && call(indexes_[slot(leaf, i)], boxes_[leaf][i])) return true;
       return false;
     };
   }
@@ -256,12 +257,12 @@ class BoxTree {
   template <class Call>
   void for_each_pair_with(std::size_t begin, std::size_t end, Call& call) const {
     std::array<Box, 4> wanted;
-    Box all;
+    Box bounds;
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
       wanted[leaf - begin] = boxes_[leaf].around(wanted_[leaf - leaves_]);
-      all.include(wanted[leaf - begin]);
+      bounds.include(wanted[leaf - begin]);
     }
-    any_below(0, all, [&](std::size_t other, unsigned) {
+    any_below(0, bounds, [&](std::size_t other, unsigned) {
       for (std::size_t leaf = begin; leaf < end; ++leaf)
         if (const unsigned near = boxes_[other].overlaps(wanted[leaf - begin]); near != 0)
           for_each_pair_of(leaf, other, near, call);
@@ -279,12 +280,12 @@ class BoxTree {
       if (other == leaf) near &= ~(1U << i);
       const unsigned pairs = near & boxes_[other].overlaps(boxes_[leaf][i]);
       for (std::size_t j = 0; j < 4; ++j)
-        if ((pairs >> j & 1U) != 0) call(places_[slot(leaf, i)], places_[slot(other, j)]);
+        if ((pairs >> j & 1U) != 0) call(indexes_[slot(leaf, i)], indexes_[slot(other, j)]);
     }
   }
 
-  std::vector<std::uint32_t> places_;  // index of each box in the curve's order
-  std::vector<std::uint32_t> slots_;   // position in places_ of each index
+  std::vector<std::uint32_t> indexes_;  // index of each box in the curve's order
+  std::vector<std::uint32_t> slots_;    // position in indexes_ of each index
 
   // Node i has the boxes around its children, 4 i + 1 to 4 i + 4; leaves have the original boxes.
   std::vector<FourBoxes> boxes_;

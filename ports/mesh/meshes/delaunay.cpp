@@ -27,7 +27,7 @@ std::uint32_t& start_of(std::vector<Triangle>& triangles, std::uint32_t side) {
 // distances up to 2^12.
 bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
                   const PlanePoint& d) {
-  constexpr double doubt = 1e-15;  // exceeds the rounding error
+  constexpr double max_rounding = 1e-15;  // exceeds the rounding error
   const auto cosine = [&](const PlanePoint& apex) {
     return static_cast<double>((a.u - apex.u) * (b.u - apex.u) + (a.v - apex.v) * (b.v - apex.v));
   };
@@ -35,7 +35,7 @@ bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
   if (cosine_c >= 0 && cosine_d >= 0) return false;
   const double one = static_cast<double>(doubled_area(c, a, b)) * cosine_d;
   const double other = static_cast<double>(doubled_area(d, b, a)) * cosine_c;
-  return one + other < -doubt * (std::abs(one) + std::abs(other));
+  return one + other < -max_rounding * (std::abs(one) + std::abs(other));
 }
 
 void DelaunayFlips::improve(const std::vector<PlanePoint>& points,

@@ -14,8 +14,8 @@ bool meet(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const P
          on_both_sides(doubled_area(c, d, a), doubled_area(c, d, b));
 }
 
-// Whether a ring that never turns to the right goes round once: then it turns upwards once.
-bool goes_round_once(const std::vector<PlanePoint>& points) {
+// Whether a ring that never turns to the right winds once: then it turns upwards once.
+bool winds_once(const std::vector<PlanePoint>& points) {
   const auto rise_to = [&points](std::size_t i) {
     return points[i].v - points[i > 0 ? i - 1 : points.size() - 1].v;
   };
@@ -37,7 +37,7 @@ bool Ears::cut(const std::vector<PlanePoint>& points, std::vector<Triangle>& tri
                std::vector<std::uint32_t>& pairs) {
   if (points.size() < 3 || points.size() > max_points) return false;
   link_all(points);
-  if (blocker_count_ == 0 ? !goes_round_once(points) : !is_simple(points)) return false;
+  if (blocker_count_ == 0 ? !winds_once(points) : !is_simple(points)) return false;
   triangles.resize(points.size() - 2);
   pairs.resize(3 * triangles.size());
   cut_count_ = 0;
@@ -86,7 +86,7 @@ bool Ears::is_simple(const std::vector<PlanePoint>& points) {
   };
   if (count == 3) return true;
   set_boxes(points);
-  // Half of these are near each other: no branch depends on it.
+  // About half of these pairs are near each other, so a branch would often be mispredicted.
   bool is_crossed = false;
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_near = are_near(i, i + 2), meets = meet_at(i, i + 2);

@@ -41,7 +41,7 @@ struct BlockFaces {
   std::vector<Vertex> added;            // vertices without a number
 };
 
-// Finds what the polygons of a block need. Each thread needs its own object.
+// Finds vertices and makes faces for the polygons of a block. Each thread needs its own object.
 class BlockRefiner {
  public:
   // moved: the new positions of vertices. Owner: the caller keeps all.
@@ -96,7 +96,7 @@ class BlockRefiner {
       side_.push_back(vertex);
       if (!vertices_.has(vertex)) continue;
       if (precedes(side_.back(), side_.front())) std::reverse(side_.begin(), side_.end());
-      for (const std::size_t place : refinement_.needed(side_)) needed.push_back(side_[place]);
+      for (const std::size_t index : refinement_.needed(side_)) needed.push_back(side_[index]);
       side_ = {vertex};
     }
   }
@@ -114,11 +114,11 @@ class BlockRefiner {
     for (std::size_t i = numbers.size(); i < refined_.points.size(); ++i)
       numbers.push_back(number_of(triangulator_.plane().vertex(refined_.points[i]), faces));
     const std::size_t first = faces.polygons.size();
-    for (std::size_t place = 0; place < refined_.triangles.size(); ++place) {
-      const Triangle& triangle = refined_.triangles[place];
+    for (std::size_t index = 0; index < refined_.triangles.size(); ++index) {
+      const Triangle& triangle = refined_.triangles[index];
       std::array<std::uint32_t, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = numbers[triangle[is_mirrored_ ? 2 - i : i]];
-      add_face(polygon, corners.data(), refined_.leaves_out[place], faces);
+      add_face(polygon, corners.data(), refined_.leaves_out[index], faces);
     }
     for (std::size_t face = first; face < faces.polygons.size(); ++face)
       faces.renewed.push_back(static_cast<std::uint32_t>(face));
@@ -157,7 +157,7 @@ class InterpolatedMesh {
   FaceMesh build() {
     mesh_.spacing_mm = surface_.spacing_mm;
     mesh_.lattice = vertices_.positions(options_.jobs);
-    number_what_sides_need();
+    number_needed_crossings();
     place_vertices();
     FaceList faces = make_faces(std::vector<bool>(surface_.polygons.size(), true), 0);
     if (options_.separates) separate_faces(std::move(faces));
@@ -168,7 +168,7 @@ class InterpolatedMesh {
   template <class Item>
   struct Block {
     std::unique_ptr<BlockRefiner> refiner;
-    Item found;
+    Item result;
   };
 
   // Calls work(refiner, block, item) for all blocks in parallel, and consume(item) in order.
@@ -180,21 +180,21 @@ class InterpolatedMesh {
           if (block.refiner == nullptr)
             block.refiner = std::make_unique<BlockRefiner>(surface_, vertices_, moved_, options_);
         },
-        [&](std::size_t number, Block<Item>& block) { work(*block.refiner, number, block.found); },
+        [&](std::size_t number, Block<Item>& block) { work(*block.refiner, number, block.result); },
         [&](std::size_t, const Block<Item>& block) {
           if (options_.check) options_.check();
-          consume(block.found);
+          consume(block.result);
         });
   }
 
-  void number_what_sides_need() {
+  void number_needed_crossings() {
     std::vector<Vertex> needed;
     for_each_block<std::vector<Vertex>>(
-        [](BlockRefiner& refiner, std::size_t block, std::vector<Vertex>& found) {
-          refiner.find_needed(block, found);
+        [](BlockRefiner& refiner, std::size_t block, std::vector<Vertex>& block_needed) {
+          refiner.find_needed(block, block_needed);
         },
-        [&needed](const std::vector<Vertex>& found) {
-          needed.insert(needed.end(), found.begin(), found.end());
+        [&needed](const std::vector<Vertex>& block_needed) {
+          needed.insert(needed.end(), block_needed.begin(), block_needed.end());
         });
     for (const Vertex& vertex : needed) add_vertex(vertex);
   }
@@ -207,10 +207,10 @@ class InterpolatedMesh {
 
   // Places the vertices that were added since the last call.
   void place_vertices() {
-    const std::size_t placed = moved_.size(), all = mesh_.lattice.size();
-    moved_.resize(all);
-    mesh_.vertices_mm.resize(all);
-    for_each_range_in_parallel(options_.jobs, all - placed,
+    const std::size_t placed = moved_.size(), vertex_count = mesh_.lattice.size();
+    moved_.resize(vertex_count);
+    mesh_.vertices_mm.resize(vertex_count);
+    for_each_range_in_parallel(options_.jobs, vertex_count - placed,
                                [&](std::size_t first, std::size_t end) {
                                  for (std::size_t i = placed + first; i < placed + end; ++i) {
                                    moved_[i] = options_.crossings->interpolated(mesh_.lattice[i]);

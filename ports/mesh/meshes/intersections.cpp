@@ -44,14 +44,14 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
                                          const std::vector<bool>& is_wanted) {
   BoxTree tree = tree_of(mesh, faces, jobs);
   if (!is_wanted.empty())
-    tree.keep_pairs_with([&](std::uint32_t place) { return is_wanted[faces[place]]; });
+    tree.keep_pairs_with([&](std::uint32_t index) { return is_wanted[faces[index]]; });
   std::vector<FacePair> pairs;
   run_in_order<std::vector<FacePair>>(
       jobs, tree.part_count(), [](std::size_t, std::vector<FacePair>& found) { found.clear(); },
       [&](std::size_t number, std::vector<FacePair>& found) {
         std::optional<ComparedTriangle> compared;
-        tree.for_each_near_pair(number, [&](std::uint32_t place, std::uint32_t other_place) {
-          const std::uint32_t one = faces[place], other = faces[other_place];
+        tree.for_each_near_pair(number, [&](std::uint32_t index, std::uint32_t other_index) {
+          const std::uint32_t one = faces[index], other = faces[other_index];
           if (!compared || compared->numbers != mesh.face(one)) compared.emplace(placed(mesh, one));
           if (intersect(mesh, *compared, other))
             found.push_back({std::min(one, other), std::max(one, other)});

@@ -16,24 +16,24 @@ Enclosed enclosed_by(const FaceMesh& mesh, const std::vector<Point>& areas) {
   const Point apex = mesh.vertices_mm[mesh.face(0)[0]];
   Sets pieces = connected_faces(sorted_edges(mesh), mesh.face_count());
   std::vector<double> volumes(mesh.face_count());
-  Enclosed all{0, {}, 0, 0};
+  Enclosed enclosed{0, {}, 0, 0};
   Point moment{};
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
     const Point& corner = mesh.vertices_mm[mesh.face(face)[0]];
     const double volume = dot(areas[face], difference(corner, apex)) / 3;
     volumes[pieces.root(face)] += volume;
-    all.volume_mm3 += volume;
+    enclosed.volume_mm3 += volume;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         moment[axis] += volume / 4 * (mesh.vertices_mm[mesh.face(face)[i]][axis] - apex[axis]);
   }
   for (const double volume : volumes) {
-    all.bodies += volume > 0;
-    all.cavities += volume < 0;
+    enclosed.bodies += volume > 0;
+    enclosed.cavities += volume < 0;
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
-    all.centre_mm[axis] = apex[axis] + moment[axis] / all.volume_mm3;
-  return all;
+    enclosed.centre_mm[axis] = apex[axis] + moment[axis] / enclosed.volume_mm3;
+  return enclosed;
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ namespace discmc::meshing {
 /// The corners and junctions of a polygon, ring after ring.
 class Outline {
  public:
-  Outline(const VertexNumbers& all, bool has_junctions)
-      : all_(all), has_junctions_(has_junctions) {}
+  Outline(const VertexNumbers& vertex_numbers, bool has_junctions)
+      : vertex_numbers_(vertex_numbers), has_junctions_(has_junctions) {}
 
   void follow(const Polygon& polygon) {
     vertices.clear();
@@ -30,7 +30,7 @@ class Outline {
   /// Finds the numbers of the vertices in the whole surface.
   void find_numbers() {
     numbers.clear();
-    for (const Vertex& vertex : vertices) numbers.push_back(all_.find(vertex));
+    for (const Vertex& vertex : vertices) numbers.push_back(vertex_numbers_.find(vertex));
   }
   /// Numbers the vertices from `first` on.
   void count_from(std::size_t first) {
@@ -59,11 +59,11 @@ class Outline {
     Vertex vertex = from;
     for (std::int32_t i = 1; i < side.links; ++i) {
       vertex = vertex + side.link;
-      if (all_.has(vertex)) vertices.push_back(vertex);
+      if (vertex_numbers_.has(vertex)) vertices.push_back(vertex);
     }
   }
 
-  const VertexNumbers& all_;
+  const VertexNumbers& vertex_numbers_;
   bool has_junctions_;
 };
 

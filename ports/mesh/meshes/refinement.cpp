@@ -93,13 +93,13 @@ const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& si
   while (!spans_.empty()) {
     const auto [begin, end] = spans_.back();
     spans_.pop_back();
-    double most = squared_tolerance_;
+    double max_distance = squared_tolerance_;
     std::size_t farthest = begin;
     for (std::size_t i = begin + 1; i < end; ++i) {
       if (!is_middle(side[i])) continue;  // a centroid, the mean of crossings, adds nothing
       const double distance = squared_distance(side_[i], std::array{side_[begin], side_[end]});
-      if (distance <= most) continue;
-      most = distance;
+      if (distance <= max_distance) continue;
+      max_distance = distance;
       farthest = i;
     }
     if (farthest == begin) continue;

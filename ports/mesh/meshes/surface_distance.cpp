@@ -82,10 +82,10 @@ Distances distances(const FaceMesh& from, const FaceMesh& to, const Point& unit,
   if (!(whole_area > 0)) throw std::invalid_argument("a mesh without area has no distance");
 
   std::vector<double> measured;
-  const std::size_t all = samples + from.corners.size();
+  const std::size_t point_count = samples + from.corners.size();
   const auto show = [&](std::size_t done) {
     constexpr std::size_t step = 1024;
-    if (progress && (done % step == 0 || done == all)) progress(done, all);
+    if (progress && (done % step == 0 || done == point_count)) progress(done, point_count);
   };
   EvenPoints even_points;
   double due = 0.5;

@@ -118,8 +118,9 @@ class VertexNumbers {
   void for_each_of(const Block& block, Call call) const {
     std::uint32_t rank = 0;
     for (std::int32_t z = 0; z < 8; ++z)
-      for (std::uint32_t left = block.bits[z]; left != 0; left &= left - 1, ++rank) {
-        const auto bit = static_cast<std::int32_t>(trailing_zeros(left));
+      for (std::uint32_t vertices = block.bits[z]; vertices != 0;
+           vertices &= vertices - 1, ++rank) {
+        const auto bit = static_cast<std::int32_t>(trailing_zeros(vertices));
         const std::int32_t y = bit >> 2, x = (bit & 3) << 1;
         call(number(block, rank), block.origin + Vertex{x + ((y + z + 1) & 1), y, z});
       }

@@ -41,10 +41,10 @@ struct Piece {
 
   std::size_t surface;
   double volume_mm3;    // of its voxels; negative for a cavity
-  double wanted_mm3;    // the volume to enclose
+  double target_mm3;    // the volume to enclose
   double shift_mm = 0;  // outwards
   std::vector<Edge> edges{};
-  std::vector<Edge> around{};  // crossings around its centroids
+  std::vector<Edge> centroid_crossings{};  // crossings around its centroids
   std::vector<Corner> corners{};
   std::vector<Triangle> faces{};
 };
@@ -187,12 +187,12 @@ class VolumeKeeper {
 
   // Returns a crossing, like Crossings::at(), with the current shifts.
   float at(const Piece& piece, const Piece::Edge& edge) const {
-    const auto least = static_cast<float>(keeping_.min_distance_mm);
+    const auto min_distance = static_cast<float>(keeping_.min_distance_mm);
     const double of_neighbour = edge.neighbour == no_piece ? 0 : pieces_[edge.neighbour].shift_mm;
     const auto shift = static_cast<float>(piece.shift_mm - of_neighbour);
     // Avoids branches on the direction of an edge, which are mispredicted.
-    return Crossings::zero_between({std::max(edge.sign * (edge.ends.begin + shift), least),
-                                    std::min(edge.sign * (edge.ends.end + shift), -least)});
+    return Crossings::zero_between({std::max(edge.sign * (edge.ends.begin + shift), min_distance),
+                                    std::min(edge.sign * (edge.ends.end + shift), -min_distance)});
   }
 
   void add_mesh(std::size_t number) {
@@ -237,7 +237,7 @@ class VolumeKeeper {
       return edges[id.axis][id.number];
     };
     for (std::uint32_t i = 0; i < piece.edges.size(); ++i) edge_at(piece.edges[i].crossing) = i;
-    piece.around.clear();
+    piece.centroid_crossings.clear();
     for (Piece::Corner& corner : piece.corners)
       surfaces_[piece.surface].crossings->for_each_near(corner.lattice, [&](Id id) {
         if (edge_at(id) == no_edge) return;
@@ -246,7 +246,7 @@ class VolumeKeeper {
         if (corner.is_crossing)
           corner.edge = edge;
         else
-          piece.around.push_back(edge);
+          piece.centroid_crossings.push_back(edge);
       });
     for (const Piece::Edge& edge : piece.edges) edge_at(edge.crossing) = no_edge;
   }
@@ -255,7 +255,8 @@ class VolumeKeeper {
   double enclosed_mm3(const Piece& piece) const {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
-    for (const Piece::Edge& edge : piece.around) crossings.move(edge.crossing, at(piece, edge));
+    for (const Piece::Edge& edge : piece.centroid_crossings)
+      crossings.move(edge.crossing, at(piece, edge));
     std::vector<Point> from_apex;
     from_apex.reserve(piece.corners.size());
     for (const auto& [lattice, is_crossing, edge] : piece.corners)
@@ -265,19 +266,19 @@ class VolumeKeeper {
                 spacing));
     const Point apex = from_apex[0];  // near, to keep rounding small
     for (Point& corner : from_apex) corner = difference(corner, apex);
-    double six = 0;
+    double six_volumes = 0;
     for (const auto& [a, b, c] : piece.faces)
-      six += dot(from_apex[a], cross(from_apex[b], from_apex[c]));
-    return six / 6;
+      six_volumes += dot(from_apex[a], cross(from_apex[b], from_apex[c]));
+    return six_volumes / 6;
   }
 
   // Returns whether all volumes were already kept.
   bool balance() {
     const std::vector<double> before = shifts();
     if (surfaces_.size() == 1)
-      set_shifts(wanted_shifts());
-    else if (!approach() && !(share_shortage() && approach()))
-      alternate();
+      set_shifts(target_shifts());
+    else if (!move_by_newton() && !(share_shortage() && move_by_newton()))
+      move_alternately();
     return shifts() == before;
   }
 
@@ -295,14 +296,14 @@ class VolumeKeeper {
     if (keeping_.check) keeping_.check();
     std::vector<double> excess(pieces_.size());
     for_each_piece_by_surface([&](std::size_t i) {
-      if (!pieces_[i].faces.empty()) excess[i] = enclosed_mm3(pieces_[i]) - pieces_[i].wanted_mm3;
+      if (!pieces_[i].faces.empty()) excess[i] = enclosed_mm3(pieces_[i]) - pieces_[i].target_mm3;
     });
     return excess;
   }
 
   // Moves all pieces at once by Newton's method, while this brings them nearer. Returns whether all
   // pieces reach their targets.
-  bool approach() {
+  bool move_by_newton() {
     constexpr unsigned max_steps = 12;
     double before = std::numeric_limits<double>::infinity();
     std::vector<double> last = shifts();
@@ -345,24 +346,24 @@ class VolumeKeeper {
     set_shifts(std::vector<double>(pieces_.size(), keeping_.max_shift_mm / 2));
     const std::vector<double> excess = excess_mm3();
     struct Group {
-      double wanted_mm3 = 0, most_mm3 = 0, bodies_mm3 = 0;
+      double target_mm3 = 0, max_mm3 = 0, bodies_mm3 = 0;
       // A cavity and the piece that fills it need nothing together.
       bool is_short() const {
-        return wanted_mm3 > accuracy * bodies_mm3 && most_mm3 < (1 - accuracy) * wanted_mm3;
+        return target_mm3 > accuracy * bodies_mm3 && max_mm3 < (1 - accuracy) * target_mm3;
       }
     };
     std::vector<Group> groups(pieces_.size());
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       Group& group = groups[touching.root(i)];
-      group.wanted_mm3 += pieces_[i].wanted_mm3;
-      group.most_mm3 += pieces_[i].wanted_mm3 + excess[i];
-      group.bodies_mm3 += std::max(pieces_[i].wanted_mm3, 0.0);
+      group.target_mm3 += pieces_[i].target_mm3;
+      group.max_mm3 += pieces_[i].target_mm3 + excess[i];
+      group.bodies_mm3 += std::max(pieces_[i].target_mm3, 0.0);
     }
     bool is_any_short = false;
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       const Group& group = groups[touching.root(i)];
       if (group.is_short())
-        pieces_[i].wanted_mm3 *= group.most_mm3 / group.wanted_mm3;
+        pieces_[i].target_mm3 *= group.max_mm3 / group.target_mm3;
       else
         pieces_[i].shift_mm = before[i];
       is_any_short |= group.is_short();
@@ -370,19 +371,19 @@ class VolumeKeeper {
     return is_any_short;
   }
 
-  std::vector<double> wanted_shifts() {
-    std::vector<double> wanted;
-    for (Piece& piece : pieces_) wanted.push_back(shift_to_keep(piece));
-    return wanted;
+  std::vector<double> target_shifts() {
+    std::vector<double> targets;
+    for (Piece& piece : pieces_) targets.push_back(shift_to_keep(piece));
+    return targets;
   }
 
   // One piece gains what its neighbour loses, so each moves half of the way at a time.
-  void alternate() {
+  void move_alternately() {
     for (unsigned round = 0; round < max_rounds; ++round) {
-      const std::vector<double> before = shifts(), wanted = wanted_shifts();
-      if (wanted == before) return;
+      const std::vector<double> before = shifts(), targets = target_shifts();
+      if (targets == before) return;
       for (std::size_t i = 0; i < pieces_.size(); ++i)
-        pieces_[i].shift_mm = (before[i] + wanted[i]) / 2;
+        pieces_[i].shift_mm = (before[i] + targets[i]) / 2;
     }
   }
 
@@ -433,10 +434,10 @@ class VolumeKeeper {
     const auto shift =
         static_cast<float>(piece.shift_mm - (has_neighbour ? pieces_[edge.neighbour].shift_mm : 0));
     const Ends ends = edge.ends;
-    const auto least = static_cast<float>(keeping_.min_distance_mm);
+    const auto min_distance = static_cast<float>(keeping_.min_distance_mm);
     const float at_on = edge.sign > 0 ? ends.begin : ends.end;
     const float at_off = edge.sign > 0 ? ends.end : ends.begin;
-    if (at_on + shift < least || at_off + shift > -least) return 0;
+    if (at_on + shift < min_distance || at_off + shift > -min_distance) return 0;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
     const double along = spacing[edge.crossing.axis];
     return std::fabs(spacing[0] * spacing[1] * spacing[2]) / (along * along) *
@@ -450,14 +451,14 @@ class VolumeKeeper {
     if (piece.faces.empty()) return start;
     const double closest = keeping_.min_distance_mm / 1000;
     double low = -keeping_.max_shift_mm, high = keeping_.max_shift_mm, slope = 0;
-    double excess = enclosed_mm3(piece) - piece.wanted_mm3;
+    double excess = enclosed_mm3(piece) - piece.target_mm3;
     while (!is_near(piece, excess) && high - low > closest) {
       (excess < 0 ? low : high) = piece.shift_mm;
       double next = slope > 0 ? piece.shift_mm - excess / slope : (low + high) / 2;
       if (!(next > low && next < high)) next = (low + high) / 2;
       const double before = excess, moved = next - piece.shift_mm;
       piece.shift_mm = next;
-      excess = enclosed_mm3(piece) - piece.wanted_mm3;
+      excess = enclosed_mm3(piece) - piece.target_mm3;
       slope = (excess - before) / moved;
     }
     return std::exchange(piece.shift_mm, start);

@@ -38,7 +38,7 @@ class SignedDistance {
   std::array<std::uint32_t, 3> reach_;  // of the limit; Units: voxels
   SliceSource mask_;
   SliceWindow<float> masks_, in_slices_, between_;
-  std::vector<float> found_;  // of a plane: squared distances along one axis
+  std::vector<float> plane_distances_;  // of a plane: squared distances along one axis
   std::uint32_t next_ = 0;
 };
 

@@ -34,11 +34,11 @@ struct LabelBox {
 };
 
 // Widens the box until the surface of the label cannot reach its faces.
-LabelBox widened(const LabelBox& box, const Voxel& dims, const Voxel& by) {
+LabelBox widened(const LabelBox& box, const Voxel& dims, const Voxel& margin) {
   LabelBox wide = box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    wide.first[axis] -= std::min(box.first[axis], by[axis]);
-    wide.end[axis] += std::min(dims[axis] - box.end[axis], by[axis]);
+    wide.first[axis] -= std::min(box.first[axis], margin[axis]);
+    wide.end[axis] += std::min(dims[axis] - box.end[axis], margin[axis]);
   }
   return wide;
 }
@@ -95,24 +95,24 @@ class LabelSmoother {
   std::vector<SmoothedLabel> smoothed(
       const std::function<void(std::size_t, std::size_t)>& progress) const {
     const std::vector<std::pair<Sample, LabelBox>> boxes(boxes_.begin(), boxes_.end());
-    std::vector<SmoothedLabel> all;
+    std::vector<SmoothedLabel> labels;
     run_in_order<std::optional<SmoothedLabel>>(
         options_.jobs, boxes.size(), [](std::size_t, auto&) {},
         [&](std::size_t number, auto& label) {
           label = smoothed(boxes[number].first, boxes[number].second);
         },
         [&](std::size_t, auto& label) {
-          all.push_back(std::move(*label));
-          if (progress) progress(all.size(), boxes.size());
+          labels.push_back(std::move(*label));
+          if (progress) progress(labels.size(), boxes.size());
         });
-    keep_all_volumes(all);
-    all.erase(std::remove_if(all.begin(), all.end(),
-                             [this](const SmoothedLabel& label) {
-                               return options_.chosen &&
-                                      options_.chosen->count(label.surface.label) == 0;
-                             }),
-              all.end());
-    return all;
+    keep_all_volumes(labels);
+    labels.erase(std::remove_if(labels.begin(), labels.end(),
+                                [this](const SmoothedLabel& label) {
+                                  return options_.chosen &&
+                                         options_.chosen->count(label.surface.label) == 0;
+                                }),
+                 labels.end());
+    return labels;
   }
 
  private:
@@ -154,7 +154,7 @@ class LabelSmoother {
   }
 
   // Smooths unchosen labels, too, because they share walls with chosen ones.
-  void keep_all_volumes(std::vector<SmoothedLabel>& all) const {
+  void keep_all_volumes(std::vector<SmoothedLabel>& labels) const {
     std::map<Sample, std::size_t> indexes;
     for (const auto& each : boxes_) indexes.emplace(each.first, indexes.size());
     VolumeKeeping keeping =
@@ -170,7 +170,7 @@ class LabelSmoother {
       return found == indexes.end() ? VolumeKeeping::none : found->second;
     };
     std::vector<SmoothSurface> surfaces;
-    for (SmoothedLabel& each : all)
+    for (SmoothedLabel& each : labels)
       surfaces.push_back({&each.surface.surface, &each.crossings.crossings()});
     keep_volumes(surfaces, keeping);
   }
@@ -187,7 +187,7 @@ class LabelSmoother {
 
 std::vector<SmoothedLabel> smoothed_labels(
     SliceReader& volume, const LabelOptions& options, double deviation_mm, double tolerance,
-    const std::function<void(std::size_t done, std::size_t all)>& progress) {
+    const std::function<void(std::size_t done, std::size_t total)>& progress) {
   std::vector<SmoothedLabel> labels;
   with_whole_type(volume.info().type, [&](auto type) {
     labels =

@@ -26,7 +26,7 @@ struct SmoothedLabel {
 /// smoothed, chosen or not.
 std::vector<SmoothedLabel> smoothed_labels(
     SliceReader& volume, const LabelOptions& options, double deviation_mm, double tolerance,
-    const std::function<void(std::size_t done, std::size_t all)>& progress);
+    const std::function<void(std::size_t done, std::size_t total)>& progress);
 
 }  // namespace discmc::meshing
 
