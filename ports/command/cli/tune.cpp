@@ -53,16 +53,16 @@ std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const
     return Extractor16::bytes_for(limits, capacities);
   }
   if (arguments.memory == 0) return std::nullopt;
-  const std::uint64_t least = Extractor16::minimum_bytes(limits);
-  if (arguments.memory < least)
-    throw std::invalid_argument(too_little_memory(arguments.memory, limits, least) +
+  const std::uint64_t min_bytes = Extractor16::minimum_bytes(limits);
+  if (arguments.memory < min_bytes)
+    throw std::invalid_argument(too_little_memory(arguments.memory, limits, min_bytes) +
                                 ", or send slices with --wire slices, which need " +
                                 std::to_string(SliceEncoder::minimum_bytes({limits, {}, 1})) +
                                 " bytes if every slice is a key slice");
-  const std::uint64_t most = max_arena_bytes(limits);
-  if (arguments.memory > most)
+  const std::uint64_t max_bytes = max_arena_bytes(limits);
+  if (arguments.memory > max_bytes)
     throw std::invalid_argument("--memory " + std::to_string(arguments.memory) +
-                                " is too much; give at most " + std::to_string(most) +
+                                " is too much; give at most " + std::to_string(max_bytes) +
                                 " bytes, the range of 16-bit indices");
   return arguments.memory;
 }
@@ -78,13 +78,14 @@ void try_all_regions(const VolumeBits& volume, const TuneArguments& arguments,
   const auto step = [&] { progress.show(++done); };
   const Limits& limits = volume.limits();
   trials.no_loose = min_without_loose_pieces(volume, trials.plenty, step);
-  const std::uint64_t most = trials.no_loose ? trials.no_loose->memory : max_arena_bytes(limits);
-  for (const std::uint64_t size : arena_sizes(limits, most)) {
+  const std::uint64_t max_bytes =
+      trials.no_loose ? trials.no_loose->memory : max_arena_bytes(limits);
+  for (const std::uint64_t size : arena_sizes(limits, max_bytes)) {
     trials.regions.push_back(try_regions(volume, size));
     step();
   }
-  trials.regions.push_back(trials.no_loose ? *trials.no_loose : try_regions(volume, most));
-  const std::uint64_t chosen = given.value_or(most);
+  trials.regions.push_back(trials.no_loose ? *trials.no_loose : try_regions(volume, max_bytes));
+  const std::uint64_t chosen = given.value_or(max_bytes);
   const auto place = std::lower_bound(
       trials.regions.begin(), trials.regions.end(), chosen,
       [](const Trial& trial, std::uint64_t bytes) { return trial.memory < bytes; });
@@ -114,9 +115,9 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
 }
 
 void print_needs(const VolumeBits& volume, const Trials& trials, std::ostream& out) {
-  const Peaks& most = trials.plenty.peaks;
-  out << "  peak                " << grouped(most.slots) << " slots of 8 bytes, "
-      << grouped(most.holes) << " holes\n"
+  const Peaks& peaks = trials.plenty.peaks;
+  out << "  peak                " << grouped(peaks.slots) << " slots of 8 bytes, "
+      << grouped(peaks.holes) << " holes\n"
       << "  least arena         " << bytes_text(Extractor16::minimum_bytes(volume.limits())) << '\n'
       << "  no fragments from   ";
   if (trials.no_loose)

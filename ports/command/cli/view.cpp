@@ -128,7 +128,7 @@ NamedBytes stream_in_file(const ViewArguments& arguments) {
   return stream;
 }
 
-NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most) {
+NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t max_bytes) {
   const bool is_file = arguments.labels.empty();
   int code = exit_ok;
   std::vector<FileMesh> meshes = arguments.kind == InputKind::mesh ? meshes_of_file(arguments.input)
@@ -142,20 +142,20 @@ NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most) {
   std::ostringstream glb;
   write_glb(pointers, glb);
   NamedBytes file{name_of(arguments.input), glb.str(), code};
-  if (file.bytes.size() > most)
+  if (file.bytes.size() > max_bytes)
     throw std::runtime_error(file.name + ": its meshes are " +
                              std::to_string(file.bytes.size() >> 20) +
-                             " MiB, and a page holds at most " + std::to_string(most >> 20) +
+                             " MiB, and a page holds at most " + std::to_string(max_bytes >> 20) +
                              (is_file ? "; decimate it, as by discmc extract --triangles 1000000"
                                       : "; give fewer labels, --shrink 2 or a part by --crop"));
   return file;
 }
 
-void require_size(const std::string& input, const VolumeInfo& info, std::uint64_t most) {
+void require_size(const std::string& input, const VolumeInfo& info, std::uint64_t max_bytes) {
   const std::uint64_t bytes = info.slice_bytes() * info.dims[2];
-  if (bytes > most)
+  if (bytes > max_bytes)
     throw std::runtime_error(input + ": its samples are " + std::to_string(bytes >> 20) +
-                             " MiB, and a page holds at most " + std::to_string(most >> 20) +
+                             " MiB, and a page holds at most " + std::to_string(max_bytes >> 20) +
                              "; give --iso auto, --shrink 2 or a part by --crop");
 }
 

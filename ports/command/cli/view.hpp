@@ -29,11 +29,11 @@ struct NamedBytes {
 NamedBytes stream_of_threshold(const ViewArguments& arguments);
 /// Returns the stream in a file.
 NamedBytes stream_in_file(const ViewArguments& arguments);
-/// Returns the meshes of labels or of a file, as GLB with normals. most: throws std::runtime_error
-/// if they have more bytes.
-NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most);
+/// Returns the meshes of labels or of a file, as GLB with normals. max_bytes: throws
+/// std::runtime_error if they have more bytes.
+NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t max_bytes);
 
 /// Throws std::runtime_error if the samples of the volume have more bytes than a page holds.
-void require_size(const std::string& input, const VolumeInfo& info, std::uint64_t most);
+void require_size(const std::string& input, const VolumeInfo& info, std::uint64_t max_bytes);
 
 }  // namespace discmc::command

@@ -21,11 +21,11 @@ namespace {
 void require_reach(double close_mm, const VolumeInfo& info) {
   const auto distances = info.distances_mm();
   const double finest = *std::min_element(distances.begin(), distances.end());
-  const double most = VoxelBall::max_reach * finest;
-  if (close_mm > most)
+  const double max_mm = VoxelBall::max_reach * finest;
+  if (close_mm > max_mm)
     throw std::invalid_argument("--close " + value_text(close_mm) + ": that is more than " +
                                 value_text(VoxelBall::max_reach) + " voxels of " +
-                                value_text(finest) + " mm; give at most " + value_text(most) +
+                                value_text(finest) + " mm; give at most " + value_text(max_mm) +
                                 ", or use --shrink");
 }
 

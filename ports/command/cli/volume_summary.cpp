@@ -36,22 +36,22 @@ std::vector<Line> lines_of_values(const VolumeStatistics& statistics) {
   return lines;
 }
 
-// Returns 1, 2 or 5 times a power of ten.
-double round_step(double least) {
-  const double power = std::pow(10, std::floor(std::log10(least)));
+// Returns the smallest step of 1, 2 or 5 times a power of ten that is at least min_step.
+double round_step(double min_step) {
+  const double power = std::pow(10, std::floor(std::log10(min_step)));
   for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least) return factor * power;
+    if (factor * power >= min_step) return factor * power;
   return 10 * power;
 }
 
-std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int most) {
+std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int max_lines) {
   double low = percentile(statistics, 0.5);
   double high = percentile(statistics, 99.5);
   if (low == high) {
     low = statistics.least;
     high = statistics.greatest;
   }
-  const double step = round_step(high / most - low / most);
+  const double step = round_step(high / max_lines - low / max_lines);
   constexpr double max_steps = 1e15;  // double still distinguishes them
   if (!(std::fabs(low) / step < max_steps))
     return {{statistics.least, statistics.greatest, statistics.numbers}};
@@ -78,11 +78,12 @@ void print_histogram(const VolumeStatistics& statistics, std::ostream& out) {
   const bool has_few_values = statistics.is_exact && statistics.counts.size() <= max_lines;
   const std::vector<Line> lines =
       has_few_values ? lines_of_values(statistics) : lines_of_intervals(statistics, max_lines);
-  std::uint64_t most = 0;
-  for (const Line& line : lines) most = std::max(most, line.count);
+  std::uint64_t max_count = 0;
+  for (const Line& line : lines) max_count = std::max(max_count, line.count);
   for (const Line& line : lines) {
     // Bars grow with the square root, so that rare values stay visible.
-    const double share = std::sqrt(static_cast<double>(line.count) / static_cast<double>(most));
+    const double share =
+        std::sqrt(static_cast<double>(line.count) / static_cast<double>(max_count));
     const bool is_one = !line.value.empty();
     out << "histogram " << std::setw(10) << (is_one ? line.value : value_text(line.low)) << ' '
         << std::setw(10) << (is_one ? line.value : value_text(line.high)) << ' ' << std::setw(11)

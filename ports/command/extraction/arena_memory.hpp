@@ -18,10 +18,10 @@ bool fits_narrow_indices(const Limits& limits, std::uint64_t memory) {
 
 /// Returns the message for memory that is too small for an extractor. Units: bytes.
 inline std::string too_little_memory(std::uint64_t bytes, const Limits& limits,
-                                     std::uint64_t least) {
+                                     std::uint64_t min_bytes) {
   return "--memory " + std::to_string(bytes) + " is too little for slices of " +
          std::to_string(limits.width) + "x" + std::to_string(limits.height) + "; give at least " +
-         std::to_string(least) + " bytes";
+         std::to_string(min_bytes) + " bytes";
 }
 
 }  // namespace discmc::command

@@ -32,8 +32,8 @@ ArenaSize arena_with(const Limits& limits, const Capacities& capacities) {
 
 template <class Normals>
 ArenaSize arena_of(const Limits& limits, std::uint64_t bytes) {
-  const std::uint64_t least = detail::sizing::minimum_bytes<std::uint16_t, Normals>(limits);
-  if (bytes < least) throw std::invalid_argument(too_little_memory(bytes, limits, least));
+  const std::uint64_t min_bytes = detail::sizing::minimum_bytes<std::uint16_t, Normals>(limits);
+  if (bytes < min_bytes) throw std::invalid_argument(too_little_memory(bytes, limits, min_bytes));
   if (fits_narrow_indices<Normals>(limits, bytes))
     return {true, bytes, detail::sizing::default_capacities<std::uint16_t, Normals>(limits, bytes)};
   return {false, bytes, detail::sizing::default_capacities<std::uint32_t, Normals>(limits, bytes)};
@@ -44,11 +44,11 @@ template <class Normals>
 ArenaSize arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOptions& options) {
   if (options.capacities) return arena_with<Normals>(limits, *options.capacities);
   // The scan never touches more memory than its worst case needs.
-  const std::uint64_t most = detail::sizing::bytes_for<std::uint32_t, Normals>(
+  const std::uint64_t max_bytes = detail::sizing::bytes_for<std::uint32_t, Normals>(
       limits, worst_case_capacities(limits, slices));
   const std::uint64_t asked =
       options.memory > 0 ? options.memory : generous_bytes_for<Normals>(limits);
-  return arena_of<Normals>(limits, std::min(asked, most));
+  return arena_of<Normals>(limits, std::min(asked, max_bytes));
 }
 
 template <class Normals, class Narrow, class Wide>

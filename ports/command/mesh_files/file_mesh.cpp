@@ -24,21 +24,22 @@ void append(const FileMesh& part, FileMesh& mesh) {
 }
 
 double min_spacing_mm(const FileMesh& mesh) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const double spacing : mesh.spacing_mm) least = std::min(least, std::fabs(spacing));
-  return least;
+  double min_spacing = std::numeric_limits<double>::infinity();
+  for (const double spacing : mesh.spacing_mm)
+    min_spacing = std::min(min_spacing, std::fabs(spacing));
+  return min_spacing;
 }
 
 }  // namespace
 
 FileMesh joined(std::vector<FileMesh> parts) {
   if (parts.size() == 1) return std::move(parts[0]);
-  FileMesh all;
+  FileMesh mesh;
   for (FileMesh& part : parts) {
-    append(part, all);
+    append(part, mesh);
     part = {};  // frees memory for the next part
   }
-  return all;
+  return mesh;
 }
 
 void resize(FileMesh& mesh, const MeshSize& size) {

@@ -15,12 +15,12 @@ std::optional<ValueRange> MeasuredVolume::range() const {
 
 ValueRange MeasuredVolume::range_with_infinities() const {
   constexpr double infinity = SampleBounds::infinity;
-  ValueRange all = range().value_or(ValueRange{infinity, -infinity});
-  if (bounds_.has_minus_infinity) all.least = -infinity;
-  if (bounds_.has_infinity) all.greatest = infinity;
+  ValueRange values = range().value_or(ValueRange{infinity, -infinity});
+  if (bounds_.has_minus_infinity) values.least = -infinity;
+  if (bounds_.has_infinity) values.greatest = infinity;
   if (bounds_.is_empty() && bounds_.has_infinity && !bounds_.has_minus_infinity)
-    all.least = infinity;
-  return all;
+    values.least = infinity;
+  return values;
 }
 
 }  // namespace discmc::command

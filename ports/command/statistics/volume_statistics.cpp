@@ -80,13 +80,13 @@ std::optional<double> padding_value(const VolumeStatistics& statistics) {
     return std::nullopt;
   if (counts[0].value < min_air && counts[1].value - counts[0].value >= gap) return counts[0].value;
   double air = 0;
-  std::uint64_t most = 0;
+  std::uint64_t max_count = 0;
   for (std::size_t i = 1; i < counts.size() && counts[i].value <= max_air; ++i) {
     air += static_cast<double>(counts[i].count);
-    most = std::max(most, counts[i].count);
+    max_count = std::max(max_count, counts[i].count);
   }
   const bool is_padding =
-      counts[0].count > most && air >= share * static_cast<double>(statistics.numbers);
+      counts[0].count > max_count && air >= share * static_cast<double>(statistics.numbers);
   return is_padding ? std::optional(counts[0].value) : std::nullopt;
 }
 
@@ -105,7 +105,7 @@ std::optional<double> otsu_threshold(const VolumeStatistics& statistics) {
   for (const ValueCount& each : counts)
     whole_sum += each.value / unit * static_cast<double>(each.count);
 
-  double most = 0;
+  double max_variance = 0;
   std::size_t best = 0;
   double below = 0;
   double sum_below = 0;
@@ -114,8 +114,8 @@ std::optional<double> otsu_threshold(const VolumeStatistics& statistics) {
     sum_below += counts[i - 1].value / unit * static_cast<double>(counts[i - 1].count);
     const double difference = sum_below / below - (whole_sum - sum_below) / (whole - below);
     const double variance = below * (whole - below) * difference * difference;
-    if (variance <= most) continue;
-    most = variance;
+    if (variance <= max_variance) continue;
+    max_variance = variance;
     best = i;
   }
   if (best == 0) return std::nullopt;

@@ -136,26 +136,26 @@ std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Tr
   std::uint64_t begin = bytes_of_slots(limits, std::max(used, 1U) - 1) / step;
   Trial trial;
   if (!has_none(end, trial)) return std::nullopt;
-  Trial least = trial;
+  Trial smallest = trial;
   begin = std::max(begin, rounded_up(Extractor16::minimum_bytes(limits), step) / step - 1);
   while (end - begin > 1) {
     const std::uint64_t middle = begin + (end - begin) / 2;
     const bool is_enough = has_none(middle, trial);
     (is_enough ? end : begin) = middle;
-    if (is_enough) least = trial;
+    if (is_enough) smallest = trial;
   }
-  return least;
+  return smallest;
 }
 
 std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end) {
-  const std::uint64_t least = Extractor16::minimum_bytes(limits);
-  const std::uint64_t unit = least < 4096 ? step : 1024;
+  const std::uint64_t min_bytes = Extractor16::minimum_bytes(limits);
+  const std::uint64_t unit = min_bytes < 4096 ? step : 1024;
   std::vector<std::uint64_t> sizes;
-  std::uint64_t size = least;
+  std::uint64_t size = min_bytes;
   // The sizes in quarters of the minimum are 4, 5, 6, 8, 12, 16, 24 and so on.
   for (std::uint64_t quarters = 5; size < end;) {
     if (sizes.empty() || size > sizes.back()) sizes.push_back(size);
-    size = rounded_up(least * quarters / 4, unit);
+    size = rounded_up(min_bytes * quarters / 4, unit);
     quarters = quarters == 5 ? 6 : quarters % 3 == 0 ? quarters / 3 * 4 : quarters / 2 * 3;
   }
   return sizes;

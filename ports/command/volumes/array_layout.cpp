@@ -26,12 +26,12 @@ std::string shape_text(const Sizes& sizes) {
 // Throws unless the number of samples and bytes fits 64 bits.
 void require_countable(const std::filesystem::path& file, const Sizes& sizes) {
   constexpr std::int64_t max_sample_bytes = 8;
-  std::int64_t most = std::numeric_limits<std::int64_t>::max() / max_sample_bytes;
+  std::int64_t max_samples = std::numeric_limits<std::int64_t>::max() / max_sample_bytes;
   for (const std::int64_t size : sizes) {
-    if (size < 1 || size > most)
+    if (size < 1 || size > max_samples)
       fail(file, "the array is " + shape_text(sizes) + ", nothing or more than a file can hold",
            "give an array of three axes");
-    most /= size;
+    max_samples /= size;
   }
 }
 

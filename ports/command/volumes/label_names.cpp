@@ -110,19 +110,19 @@ std::vector<NamedLabels> LabelNames::each(const std::string& list) const {
 
 NamedLabels LabelNames::together(const std::string& list) const {
   const std::vector<NamedLabels> labels = each(list);
-  NamedLabels all = labels[0];
-  if (labels.size() == 1) return all;
-  all.name = without_control(list);
+  NamedLabels combined = labels[0];
+  if (labels.size() == 1) return combined;
+  combined.name = without_control(list);
   for (std::size_t i = 1; i < labels.size(); ++i)
     for (const auto& [layer, values] : labels[i].set) {
-      const auto [entry, is_new] = all.set.emplace(layer, values);
+      const auto [entry, is_new] = combined.set.emplace(layer, values);
       if (is_new || entry->second.empty()) continue;
       if (values.empty())
         entry->second.clear();
       else
         entry->second.insert(entry->second.end(), values.begin(), values.end());
     }
-  return all;
+  return combined;
 }
 
 std::vector<NamedLabels> LabelNames::regions() const {

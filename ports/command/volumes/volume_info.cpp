@@ -37,11 +37,12 @@ void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::
   info.dims = {1, 1, 1};
   info.frames = 1;
   for (std::size_t axis = 0; axis < sizes.size(); ++axis) {
-    const std::int64_t most = axis == 0 || axis == 1 ? max_across : max_slices;
-    if (sizes[axis] < 1 || sizes[axis] > most / static_cast<std::int64_t>(info.frames))
+    const std::int64_t max_size = axis == 0 || axis == 1 ? max_across : max_slices;
+    if (sizes[axis] < 1 || sizes[axis] > max_size / static_cast<std::int64_t>(info.frames))
       fail(file,
            "dimension " + std::to_string(axis + 1) + " has size " + std::to_string(sizes[axis]) +
-               ", outside 1 to " + std::to_string(most / static_cast<std::int64_t>(info.frames)),
+               ", outside 1 to " +
+               std::to_string(max_size / static_cast<std::int64_t>(info.frames)),
            "crop or resample the volume");
     if (axis < 3)
       info.dims[axis] = static_cast<std::uint32_t>(sizes[axis]);

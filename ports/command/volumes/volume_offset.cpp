@@ -47,20 +47,20 @@ double cosine(const std::array<double, 3>& a, const std::array<double, 3>& b) {
 }  // namespace
 
 AxesMatch matching_axes(const VolumeInfo& volume, const VolumeInfo& other) {
-  const auto [of, to] = comparable(volume, other);
+  const auto [placement, other_placement] = comparable(volume, other);
   AxesMatch match{};
-  std::array<bool, 3> is_taken{};
+  std::array<bool, 3> is_matched{};
   for (std::size_t i = 0; i < 3; ++i) {
-    double most = 0;
+    double best_cosine = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double along = cosine(of.axes_mm[i], to.axes_mm[axis]);
-      if (std::fabs(along) <= std::fabs(most)) continue;
-      most = along;
+      const double along = cosine(placement.axes_mm[i], other_placement.axes_mm[axis]);
+      if (std::fabs(along) <= std::fabs(best_cosine)) continue;
+      best_cosine = along;
       match[i] = {axis, along < 0};
     }
-    is_taken[match[i].axis] = true;
+    is_matched[match[i].axis] = true;
   }
-  const bool is_clear = is_taken[0] && is_taken[1] && is_taken[2];
+  const bool is_clear = is_matched[0] && is_matched[1] && is_matched[2];
   return is_clear ? match : AxesMatch{{{0, false}, {1, false}, {2, false}}};
 }
 

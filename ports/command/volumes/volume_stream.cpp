@@ -162,8 +162,9 @@ void ByteStream::skip_lines(std::uint64_t count) {
 }
 
 std::uint64_t ByteStream::max_left() const {
-  const std::uint64_t most = source_->max_left();
-  return most > ByteSource::unbounded - ahead() ? ByteSource::unbounded : most + ahead();
+  const std::uint64_t source_left = source_->max_left();
+  return source_left > ByteSource::unbounded - ahead() ? ByteSource::unbounded
+                                                       : source_left + ahead();
 }
 
 std::optional<std::uint64_t> ByteStream::left() const {
@@ -204,9 +205,10 @@ SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool is_big_endian,
   stream_.skip(volume_bytes(info_) * frame.value_or(0));
   // This bounds the caller's slice buffer by the file, whatever its header declares.
   const std::uint64_t slice = info_.slice_bytes();
-  std::uint64_t most = stream_.max_left();
-  if (most == ByteSource::unbounded) most = stream_.peek(static_cast<std::size_t>(slice)).size();
-  if (most < slice) fail_in_slice(slice - most);
+  std::uint64_t max_left = stream_.max_left();
+  if (max_left == ByteSource::unbounded)
+    max_left = stream_.peek(static_cast<std::size_t>(slice)).size();
+  if (max_left < slice) fail_in_slice(slice - max_left);
 }
 
 void SliceStream::read_slice(void* samples) {

@@ -33,20 +33,21 @@ void CornerSet::lay_out(const meshing::Polygons& polygons) {
   numbers_.clear();
   if (polygons.empty()) return;
   least_ = polygons[0].rings[0][0];
-  Vertex most = least_;
+  Vertex greatest = least_;
   for_each_corner(polygons, [&](const Vertex& corner) {
     least_ = {std::min(least_.x, corner.x), std::min(least_.y, corner.y),
               std::min(least_.z, corner.z)};
-    most = {std::max(most.x, corner.x), std::max(most.y, corner.y), std::max(most.z, corner.z)};
+    greatest = {std::max(greatest.x, corner.x), std::max(greatest.y, corner.y),
+                std::max(greatest.z, corner.z)};
   });
-  if (std::max({most.x, most.y, most.z}) > max_coordinate)
+  if (std::max({greatest.x, greatest.y, greatest.z}) > max_coordinate)
     throw std::runtime_error("the surface is larger than the page can draw");
   const auto blocks = [](std::int32_t low, std::int32_t high) {
     return (std::uint64_t{static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low)} / 8) +
            1;
   };
-  const std::uint64_t columns = blocks(least_.x, most.x), rows = blocks(least_.y, most.y),
-                      layers = blocks(least_.z, most.z);
+  const std::uint64_t columns = blocks(least_.x, greatest.x), rows = blocks(least_.y, greatest.y),
+                      layers = blocks(least_.z, greatest.z);
   if (columns > max_blocks / rows || columns * rows > max_blocks / layers)
     throw std::runtime_error("the surface is larger than the page can draw");
   columns_ = columns;

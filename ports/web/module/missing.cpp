@@ -51,8 +51,8 @@ void add_link(const Link& link, Balance& balance) {
 }
 
 bool is_packable(const Vertex& vertex) {
-  constexpr std::int32_t most = 32767;
-  return std::max({vertex.x, vertex.y, vertex.z}) <= most;
+  constexpr std::int32_t max_coordinate = 32767;
+  return std::max({vertex.x, vertex.y, vertex.z}) <= max_coordinate;
 }
 
 void add_ring(const meshing::Ring& ring, Balance& balance) {

@@ -23,10 +23,10 @@ SinkResult StreamSurface::accept(const Event& event) {
 
 // Joins successive rows of a slice, and successive slices.
 void StreamSurface::note_skipped(std::uint32_t slice, std::uint32_t row) {
-  constexpr std::size_t most = std::size_t{1} << 16;
+  constexpr std::size_t max_entries = std::size_t{1} << 16;
   if (!rows_.empty() && rows_.back().slices.last == slice && rows_.back().last_row + 1 == row)
     rows_.back().last_row = row;
-  else if (rows_.size() < most)
+  else if (rows_.size() < max_entries)
     rows_.push_back({{slice, slice}, row, row});
   else
     return;

@@ -33,14 +33,14 @@ CLI::Validator accepted(Condition holds, const std::string& wanted) {
       "");
 }
 
-inline CLI::Validator whole_from(std::uint64_t least) {
+inline CLI::Validator whole_from(std::uint64_t min_value) {
   return CLI::Validator(
-      [least](std::string& text) {
+      [min_value](std::string& text) {
         const auto value = whole_number<std::uint64_t>(text);
-        return value && *value >= least
+        return value && *value >= min_value
                    ? std::string()
                    : "invalid value '" + text + "'; expected a whole number from " +
-                         std::to_string(least);
+                         std::to_string(min_value);
       },
       "");
 }

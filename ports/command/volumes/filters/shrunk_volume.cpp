@@ -165,11 +165,11 @@ class MostFrequent final : public Blocks {
     sorted_ = block_;
     std::sort(sorted_.begin(), sorted_.end());
     Sample result = block_[0];
-    std::ptrdiff_t most = 0;
+    std::ptrdiff_t max_count = 0;
     for (const Sample sample : block_) {
       const auto [begin, end] = std::equal_range(sorted_.begin(), sorted_.end(), sample);
-      if (end - begin <= most) continue;
-      most = end - begin;
+      if (end - begin <= max_count) continue;
+      max_count = end - begin;
       result = sample;
     }
     return result;

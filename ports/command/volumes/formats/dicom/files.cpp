@@ -157,7 +157,7 @@ std::vector<Path> dead_links(const Path& folder) {
   });
 }
 
-bool is_nested_within(std::uint32_t most, const std::filesystem::path& file) {
+bool is_nested_within(std::uint32_t max_depth, const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   OpenItems items;
   Window window;
@@ -174,7 +174,7 @@ bool is_nested_within(std::uint32_t most, const std::filesystem::path& file) {
       if (!is_item && !is_big_endian_item) continue;
       items.go_to(at - 8);
       items.start(at, is_item ? window.length() : window.big_endian_length());
-      if (items.count() > most) return false;
+      if (items.count() > max_depth) return false;
     }
   return true;
 }

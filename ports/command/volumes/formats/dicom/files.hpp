@@ -28,9 +28,9 @@ std::vector<std::filesystem::path> dicom_files(const std::filesystem::path& fold
 /// Likewise returns only links without a target.
 std::vector<std::filesystem::path> dead_links(const std::filesystem::path& folder);
 
-/// Whether sequences are nested at most this deep. DCMTK reads each level by recursion without a
-/// limit, so a small file could exhaust the stack. This counts the bytes of items, without regard
+/// Whether sequences are nested at most this deep. DCMTK reads each level by recursion without
+/// a limit, so a small file could exhaust the stack. This counts the bytes of items, without regard
 /// to their context.
-bool is_nested_within(std::uint32_t most, const std::filesystem::path& file);
+bool is_nested_within(std::uint32_t max_depth, const std::filesystem::path& file);
 
 }  // namespace discmc::command

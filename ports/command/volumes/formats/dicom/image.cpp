@@ -165,7 +165,7 @@ std::optional<std::int32_t> padding_of(DcmItem& dataset, bool is_signed) {
 
 // Returns the greys of a palette for samples of 8 bits; empty if it has colours.
 std::vector<std::uint8_t> greys_of(DcmItem& dataset) {
-  constexpr std::size_t most = 256;
+  constexpr std::size_t max_greys = 256;
   const Uint16* words = nullptr;
   unsigned long count = 0;
   Uint16 first = 0;
@@ -174,7 +174,7 @@ std::vector<std::uint8_t> greys_of(DcmItem& dataset) {
       dataset.findAndGetUint16(DCM_RedPaletteColorLookupTableDescriptor, first, 1).bad() ||
       first != 0 ||
       dataset.findAndGetUint16Array(DCM_RedPaletteColorLookupTableData, words, &count).bad() ||
-      (count != most && count != most / 2))
+      (count != max_greys && count != max_greys / 2))
     return {};
   for (const DcmTagKey& key :
        {DCM_GreenPaletteColorLookupTableData, DCM_BluePaletteColorLookupTableData}) {
@@ -186,10 +186,10 @@ std::vector<std::uint8_t> greys_of(DcmItem& dataset) {
   }
   // Entries of 8 bits may share a word, the first in the low byte. Some programs declare 16 bits,
   // and write 8.
-  const std::size_t in_a_word = most / count;
-  const bool are_low = *std::max_element(words, words + count) < most;
+  const std::size_t in_a_word = max_greys / count;
+  const bool are_low = *std::max_element(words, words + count) < max_greys;
   std::vector<std::uint8_t> greys;
-  for (std::size_t i = 0; i < most; ++i) {
+  for (std::size_t i = 0; i < max_greys; ++i) {
     const unsigned shift = in_a_word == 2 ? 8 * (i % 2) : are_low ? 0 : 8;
     greys.push_back(static_cast<std::uint8_t>(words[i / in_a_word] >> shift));
   }

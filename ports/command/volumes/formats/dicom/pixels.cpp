@@ -150,8 +150,8 @@ void DicomPixels::read_uncompressed(DcmDataset& dataset, DcmElement& element,
   const std::uint64_t bytes = picture_bytes(picture.image);
   if (frame_bytes_by_header(element, dataset) != bytes)
     fail_picture(picture, "the pixel data has another size than the header");
-  const std::uint64_t there = element.getLength() / bytes;
-  left_out_ = there - std::min<std::uint64_t>(there, frame_count(dataset));
+  const std::uint64_t stored_frames = element.getLength() / bytes;
+  left_out_ = stored_frames - std::min<std::uint64_t>(stored_frames, frame_count(dataset));
   Uint32 fragment = 0;
   OFString color_model;
   const OFCondition result =

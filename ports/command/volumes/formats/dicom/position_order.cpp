@@ -84,9 +84,9 @@ Vector rounding_of(const Frames& stack) {
 
 double along_normal_of(const Frames& stack, const Vector& rounding) {
   const Vector normal = normal_of(*stack[0].place);
-  double most = 0;
-  for (std::size_t i = 0; i < 3; ++i) most += std::fabs(normal[i]) * rounding[i];
-  return most;
+  double rounding_along = 0;
+  for (std::size_t i = 0; i < 3; ++i) rounding_along += std::fabs(normal[i]) * rounding[i];
+  return rounding_along;
 }
 
 bool are_mostly_neighbours(const std::vector<std::uint64_t>& numbers) {
@@ -150,8 +150,8 @@ Vector slice_step(const Path& source, VolumeInfo& info, const Frames& stack,
   const Vector& first = stack[0].place->position;
   const Vector normal = normal_of(*stack[0].place);
   const auto aside = [&](std::size_t i) {
-    const Vector way = sum(stack[i].place->position, -1, first);
-    return sum(way, -dot(way, normal), normal);
+    const Vector offset = sum(stack[i].place->position, -1, first);
+    return sum(offset, -dot(offset, normal), normal);
   };
   constexpr double min_mm = 0.001, share = 0.25, straight_share = 0.02;  // shares of a voxel
   const double voxel = std::min(stack[0].spacing_mm[0], stack[0].spacing_mm[1]);
@@ -188,9 +188,9 @@ Vector slice_step(const Path& source, VolumeInfo& info, const Frames& stack,
                  short_number(std::atan2(length(shift), slices.step) * degrees) +
                  " degrees; the volume is sheared accordingly");
   // Uses the positions themselves unless they are rounded.
-  const Vector way = sum({}, 1 / last, sum(stack.back().place->position, -1, first));
+  const Vector step = sum({}, 1 / last, sum(stack.back().place->position, -1, first));
   constexpr double same_mm = 1e-6;
-  return std::fabs(dot(way, normal) - slices.step) < same_mm ? way : sum(straight, 1, shift);
+  return std::fabs(dot(step, normal) - slices.step) < same_mm ? step : sum(straight, 1, shift);
 }
 
 void fill_missing(const Path& source, VolumeInfo& info, Frames& stack,

@@ -117,11 +117,11 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const DicomFrame& f
   if (places.size() == 1) return {places[0], declared, {0}};
   const std::string name = declared > 0 ? first.slice_spacing_name : "";
   const std::string by_name = short_number(declared) + " mm of " + name;
-  double least = places[1] - places[0];
+  double min_distance = places[1] - places[0];
   for (std::size_t i = 1; i < places.size(); ++i)
-    least = std::min(least, places[i] - places[i - 1]);
+    min_distance = std::min(min_distance, places[i] - places[i - 1]);
   constexpr double max_jitter = 0.1;  // of a step, as in images
-  const double steps[] = {declared, least, best_step(places)};
+  const double steps[] = {declared, min_distance, best_step(places)};
   for (const double share : {same_distance, max_jitter})
     for (const double step : steps) {
       const double rounding = std::max(half_a_decimal(places), share * step);
@@ -140,8 +140,8 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const DicomFrame& f
       return *slices;
     }
   fail(source,
-       "the slices of the segmentation are " + short_number(declared > 0 ? declared : least) +
-           " mm apart, but not everywhere",
+       "the slices of the segmentation are " +
+           short_number(declared > 0 ? declared : min_distance) + " mm apart, but not everywhere",
        "resample it to even distances, e.g. with 3D Slicer");
 }
 

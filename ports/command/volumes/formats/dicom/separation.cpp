@@ -64,16 +64,16 @@ struct TraitOrder {
 
 // Returns the groups by a trait of volumes. Such a trait has no more values than there are slices
 // at a position, and leaves fewer slices there. Traits of slices, such as their times, do not.
-std::vector<Group> groups_of_trait(const Group& group, std::size_t most, std::size_t kind) {
+std::vector<Group> groups_of_trait(const Group& group, std::size_t max_slices, std::size_t kind) {
   std::map<std::string, Group, TraitOrder> groups;
   for (const Placed& each : group) {
     groups[trait_of(each.frame->traits, kind)].push_back(each);
-    if (groups.size() > most) return {};
+    if (groups.size() > max_slices) return {};
   }
   if (groups.size() < 2) return {};
   std::vector<Group> result;
   for (auto& [value, of_value] : groups) {
-    if (max_in_a_place(of_value) == most) return {};
+    if (max_in_a_place(of_value) == max_slices) return {};
     result.push_back(std::move(of_value));
   }
   return result;
@@ -116,13 +116,13 @@ void add_by_order(const Group& group, std::vector<SeparatedFrames>& parts) {
 }
 
 void separate(const Group& group, std::vector<SeparatedFrames>& parts) {
-  const std::size_t most = max_in_a_place(group);
-  if (most == 1) {
+  const std::size_t max_slices = max_in_a_place(group);
+  if (max_slices == 1) {
     parts.push_back(frames_of(group));
     return;
   }
   for (std::size_t kind = 0; kind < trait_count(); ++kind) {
-    const auto groups = groups_of_trait(group, most, kind);
+    const auto groups = groups_of_trait(group, max_slices, kind);
     for (const Group& each : groups) separate(each, parts);
     if (!groups.empty()) return;
   }

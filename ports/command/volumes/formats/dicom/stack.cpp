@@ -75,8 +75,8 @@ bool are_even(Frames frames) {
   std::vector<double> along;
   for (const DicomFrame& frame : frames) {
     along.push_back(along_of(frame));
-    const Vector way = sum(frame.place->position, -1, frames[0].place->position);
-    const Vector aside = sum(way, -dot(way, normal), normal);
+    const Vector offset = sum(frame.place->position, -1, frames[0].place->position);
+    const Vector aside = sum(offset, -dot(offset, normal), normal);
     if (length(aside) > 0.1 * std::min(frame.spacing_mm[0], frame.spacing_mm[1])) return false;
   }
   OddDistance odd;

@@ -194,8 +194,8 @@ std::uint64_t data_offset(const std::filesystem::path& file, const NiftiHeader& 
     fail(file, "vox_offset is " + std::to_string(header.vox_offset), "correct the header");
   const auto offset = static_cast<std::uint64_t>(header.vox_offset);
   // Some programs leave 0 for "directly after the header".
-  const std::uint64_t least = header.format == "NIfTI-2" ? 544 : 352;
-  return header.is_one_file && offset < least ? least : offset;
+  const std::uint64_t min_offset = header.format == "NIfTI-2" ? 544 : 352;
+  return header.is_one_file && offset < min_offset ? min_offset : offset;
 }
 
 }  // namespace

@@ -45,9 +45,9 @@ class BmpHeader {
   std::uint64_t palette_at() const { return 14 + std::uint64_t{header_bytes()}; }
   std::uint32_t colour_bytes() const { return is_of_os2() ? 3 : 4; }
   std::uint32_t colours() const {
-    const std::uint32_t most = bits() <= 8 ? 1U << bits() : 0;
+    const std::uint32_t max_colours = bits() <= 8 ? 1U << bits() : 0;
     const std::uint32_t count = is_of_os2() ? 0 : field(46, 4);
-    return count == 0 ? most : std::min(count, most);
+    return count == 0 ? max_colours : std::min(count, max_colours);
   }
 
  private:

@@ -57,9 +57,9 @@ void set_order(Hyperstack& stack, std::string_view order) {
 }
 
 void set_axis(Hyperstack& stack, char axis) {
-  const std::uint64_t all = planes(stack);
+  const std::uint64_t plane_count = planes(stack);
   stack.slices = stack.channels = stack.frames = {};
-  axis_called(stack, axis)->size = all;
+  axis_called(stack, axis)->size = plane_count;
   stack.channel_names.clear();
 }
 

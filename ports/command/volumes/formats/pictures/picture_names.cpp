@@ -128,10 +128,10 @@ bool are_even(std::vector<std::uint64_t> values, bool are_whole) {
 // Returns nothing if the numbers have another form or uneven distances.
 std::vector<std::uint64_t> counts_of(const std::vector<std::string>& numbers) {
   if (numbers.size() < 2 || !are_decimals(numbers)) return {};
-  double least = 0;
+  double lowest = 0;
   std::size_t places = 0;
   for (const std::string& number : numbers) {
-    least = std::min(least, decimal(number).value_or(0));
+    lowest = std::min(lowest, decimal(number).value_or(0));
     places = std::max(places, fraction_of(number).size());
   }
   constexpr double max_exact = 1e15;
@@ -139,8 +139,8 @@ std::vector<std::uint64_t> counts_of(const std::vector<std::string>& numbers) {
   std::vector<std::uint64_t> counts;
   for (const std::string& number : numbers) {
     const auto value = decimal(number);
-    if (!value || (*value - least) * scale > max_exact) return {};
-    counts.push_back(static_cast<std::uint64_t>(std::llround((*value - least) * scale)));
+    if (!value || (*value - lowest) * scale > max_exact) return {};
+    counts.push_back(static_cast<std::uint64_t>(std::llround((*value - lowest) * scale)));
   }
   return are_even(counts, places == 0) ? counts : std::vector<std::uint64_t>();
 }

@@ -45,14 +45,14 @@ struct Count {
 
 Count count(const Names& names) {
   Count count;
-  std::size_t most = 0;
+  std::size_t max_values = 0;
   for (std::size_t i = 0; i < names[0].numbers.size(); ++i) {
     const std::size_t different = values(names, i);
     if (different == names.size()) count.counting.insert(i);
     if (different > 1 && different < names.size()) count.others.insert(i);
-    if (different < most) continue;
+    if (different < max_values) continue;
     count.largest = i;
-    most = different;
+    max_values = different;
   }
   return count;
 }

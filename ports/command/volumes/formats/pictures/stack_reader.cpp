@@ -22,16 +22,16 @@ void require_one_kind(const std::filesystem::path& source, const Files& files) {
   for (const auto& file : files) kinds[kind_of_name(file)].push_back(file);
   if (kinds.size() < 2) return;
   std::string list;
-  const Files* most = nullptr;
+  const Files* largest_kind = nullptr;
   for (const auto& [kind, of_kind] : kinds) {
     list += (list.empty() ? "" : " and ") + std::to_string(of_kind.size()) + ' ' +
             std::string(name(kind));
-    if (most == nullptr || of_kind.size() > most->size()) most = &of_kind;
+    if (largest_kind == nullptr || of_kind.size() > largest_kind->size()) largest_kind = &of_kind;
   }
-  const std::filesystem::path any = "*" + most->front().extension().string();
-  fail(
-      source, list + " files are not one volume",
-      "give a pattern of one kind, such as '" + (most->front().parent_path() / any).string() + "'");
+  const std::filesystem::path any = "*" + largest_kind->front().extension().string();
+  fail(source, list + " files are not one volume",
+       "give a pattern of one kind, such as '" +
+           (largest_kind->front().parent_path() / any).string() + "'");
 }
 
 // Omits SkyScan's overviews, which are beside the slices.

@@ -67,21 +67,21 @@ void ZarrChunks::open_shard(const std::filesystem::path& file) {
   places_.clear();
   std::error_code error;
   if (!std::filesystem::exists(file, error) && !error) return;
-  const std::uint64_t all = bytes_of(file);
-  std::uint64_t most = all / sizeof(ChunkLocation), count = 1;
+  const std::uint64_t file_bytes = bytes_of(file);
+  std::uint64_t max_chunks = file_bytes / sizeof(ChunkLocation), count = 1;
   for (const std::uint64_t chunks : array_.shard->chunks) {
-    if (chunks > most) fail(file, "the shard is shorter than its index", "copy it again");
-    most /= chunks;
+    if (chunks > max_chunks) fail(file, "the shard is shorter than its index", "copy it again");
+    max_chunks /= chunks;
     count *= chunks;
   }
   const std::vector<ZarrCodec> codecs(array_.shard->has_index_checksum ? 1 : 0, ZarrCodec::crc32c);
   const std::uint64_t bytes = count * sizeof(ChunkLocation) + 4 * codecs.size();
-  if (bytes > all) fail(file, "the shard is shorter than its index", "copy it again");
+  if (bytes > file_bytes) fail(file, "the shard is shorter than its index", "copy it again");
   const bool is_at_start = array_.shard->has_index_at_start;
   const ChunkBytes index =
-      decoded(file, read_part(file, shard_, is_at_start ? 0 : all - bytes, bytes), codecs,
+      decoded(file, read_part(file, shard_, is_at_start ? 0 : file_bytes - bytes, bytes), codecs,
               count * sizeof(ChunkLocation));
-  const std::uint64_t begin = is_at_start ? bytes : 0, end = begin + all - bytes;
+  const std::uint64_t begin = is_at_start ? bytes : 0, end = begin + file_bytes - bytes;
   for (std::size_t i = 0; i < count; ++i) {
     const ChunkLocation place{whole_of(&index[16 * i], 8, false),
                               whole_of(&index[16 * i + 8], 8, false)};

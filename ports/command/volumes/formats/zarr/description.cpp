@@ -244,11 +244,11 @@ ZarrDescription described(const ZarrNode& node) {
   ZarrDescription array = is_version_3 ? described_version_3(node) : described_version_2(node);
   array.folder = node.folder;
   read_attributes(array, node.attributes);
-  std::uint64_t most = (std::uint64_t{1} << 31) / sample_bytes(array.type);
+  std::uint64_t max_samples = (std::uint64_t{1} << 31) / sample_bytes(array.type);
   for (const std::uint64_t size : array.chunk) {
-    if (size > most)
+    if (size > max_samples)
       fail(node.file, "its chunks have more than 2 GiB", "write it again in smaller ones");
-    most /= size;
+    max_samples /= size;
   }
   if (has_chunk(array)) return array;
   // Some writers do not declare that their chunks are nested.

@@ -198,15 +198,15 @@ class TiffFile final : public PictureFile {
     return stack;
   }
 
-  // If a description has more planes than there are directories, the planes follow the page of the
-  // only directory.
+  // If a description has more planes than there are directories, the planes follow the page
+  // of the only directory.
   void require_behind(const TiffPage& page, std::uint64_t planes) {
-    const std::uint64_t there =
+    const std::uint64_t planes_behind =
         directories_ == 1 ? pages_behind(tiff_.get(), page, file_bytes_).count : 0;
-    if (planes > there)
+    if (planes > planes_behind)
       fail(file_,
            "the description promises " + std::to_string(planes) + " planes, and the file holds " +
-               std::to_string(std::max<std::uint64_t>(directories_, there)),
+               std::to_string(std::max<std::uint64_t>(directories_, planes_behind)),
            remedy);
   }
 

@@ -121,9 +121,10 @@ void TiffSamples::require_tiles(TIFF* tiff, const TiffPage& page) const {
   const auto [width, height, depth] = page.tile;
   const std::uint64_t row = page.row_bytes(width);
   constexpr std::uint64_t max_padding = std::uint64_t{1} << 26;
-  const std::uint64_t most = page.plane_bytes() * page.depth + max_padding;
+  const std::uint64_t max_tile_bytes = page.plane_bytes() * page.depth + max_padding;
   if (height == 0 || row * 8 != std::uint64_t{width} * page.samples_of_pixel() * page.bits ||
-      row > most / height / depth || row * height != static_cast<std::uint64_t>(TIFFTileSize(tiff)))
+      row > max_tile_bytes / height / depth ||
+      row * height != static_cast<std::uint64_t>(TIFFTileSize(tiff)))
     fail_page(tiff);
 }
 
