@@ -116,10 +116,10 @@ TEST_CASE("components are kept by their rank and by a minimum volume") {
     const ComponentCounts counts = keep_components(surface, {largest, min_volume_mm3});
     CHECK(counts.found == 3);
     CHECK(components(surface).size() == counts.kept);
-    double least = 1e9;
+    double smallest = 1e9;
     for (const Component& component : components(surface))
-      least = std::min(least, component.volume_mm3);
-    return std::pair(counts.kept, least);
+      smallest = std::min(smallest, component.volume_mm3);
+    return std::pair(counts.kept, smallest);
   };
   const double middle = volume_of_box(4, 4, 4), large = volume_of_box(6, 6, 6);
   CHECK(kept(0, 0) == std::pair(std::uint64_t{3}, volume_of_box(1, 1, 1)));

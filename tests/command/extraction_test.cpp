@@ -137,11 +137,11 @@ TEST_CASE("the message for too little memory names the minimum, which suffices")
   INFO(text);
   CHECK(contains(text, "--memory 7 "));
   CHECK(contains(text, "20x20"));
-  const std::uint64_t least = command_tests::count_after(text, "at least ");
-  refusal(volume, least - 1);
-  const Extracted small = extracted(volume, options(Border::closed, least));
-  CHECK(small.extraction.memory->arena_bytes == least);
-  CHECK(small.extraction.memory->arena_bytes_used <= least);
+  const std::uint64_t minimum = command_tests::count_after(text, "at least ");
+  refusal(volume, minimum - 1);
+  const Extracted small = extracted(volume, options(Border::closed, minimum));
+  CHECK(small.extraction.memory->arena_bytes == minimum);
+  CHECK(small.extraction.memory->arena_bytes_used <= minimum);
   CHECK(small.extraction.statistics.fragments > 0);
   CHECK(regions_of(small.surface) == regions_of(extracted(volume, options()).surface));
 }

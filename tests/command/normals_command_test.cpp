@@ -49,9 +49,9 @@ std::string stream_with_normals() {
   header.spacing_nm[2] = 2000000;
   header.thresholds[0] = 1000;
   const discmc::Limits limits{extent, extent};
-  const std::uint64_t least =
+  const std::uint64_t minimum =
       discmc::detail::sizing::minimum_bytes<std::uint32_t, WithNormals>(limits);
-  discmc::reference::Block block(least + (std::uint64_t{1} << 20));
+  discmc::reference::Block block(minimum + (std::uint64_t{1} << 20));
   discmc::test::Line line;
   discmc::test::NormalEncoder encoder;
   discmc::reference::require_ok(encoder.start(header.label(), line.output()));

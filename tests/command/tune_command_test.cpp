@@ -66,9 +66,9 @@ TEST_CASE_FIXTURE(
     done("extract v.nrrd --iso 100 -q -o v.dmc --memory " + std::to_string(memory));
     return info_of("v.dmc").at("fragments");
   };
-  const std::uint64_t least = std::stoull(digits);
-  CHECK(fragments(least) == "0");
-  CHECK(fragments(least - 256) != "0");
+  const std::uint64_t minimum = std::stoull(digits);
+  CHECK(fragments(minimum) == "0");
+  CHECK(fragments(minimum - 256) != "0");
 }
 
 TEST_CASE_FIXTURE(Ball, "tune shows the kinds of stream that are asked for") {

@@ -275,13 +275,13 @@ TEST_CASE("only 2 and 4 levels start, with memory and an output") {
   }
   config.levels = 4;
   CHECK(encoder.start(config, memory_of(memory), {}) == Status::bad_sink);
-  const size_t least = FractionSliceEncoder<uint8_t>::minimum_bytes(config);
-  CHECK(encoder.start(config, {memory.data(), least - 1}, line.output()) ==
+  const size_t minimum = FractionSliceEncoder<uint8_t>::minimum_bytes(config);
+  CHECK(encoder.start(config, {memory.data(), minimum - 1}, line.output()) ==
         Status::too_little_memory);
   CHECK(encoder.push(memory.data(), 1).status == Status::not_started);
-  CHECK(encoder.start(config, {memory.data(), least}, line.output()) == Status::ok);
+  CHECK(encoder.start(config, {memory.data(), minimum}, line.output()) == Status::ok);
   CHECK(encoder.start(config, memory_of(memory), line.output()) == Status::ok);
-  CHECK(encoder.bytes_used() <= least);
+  CHECK(encoder.bytes_used() <= minimum);
   config.limits.width = 0;
   CHECK(encoder.start(config, memory_of(memory), line.output()) == Status::bad_limits);
 }

@@ -115,14 +115,14 @@ void for_each_case(Check check) {
   }
 }
 
-constexpr uint32_t least = minimum_capacities().slots;
+constexpr uint32_t min_slots = minimum_capacities().slots;
 
 }  // namespace
 
 TEST_CASE("the rings do not depend on the number of slots") {
   for_each_case([](const Pressed& pressed) {
     const uint32_t most = pressed.needed().slots + 10;
-    for (uint32_t slots = least; slots <= most; slots += step(19)) {
+    for (uint32_t slots = min_slots; slots <= most; slots += step(19)) {
       CAPTURE(slots);
       const Capacities capacities{slots, slots / 16};
       CHECK(pressed.fault<uint16_t>(capacities) == "");
@@ -140,7 +140,7 @@ TEST_CASE("the rings do not depend on the number of waiting holes") {
   for (const BitVolume& volume : {sieve, grid, random({15, 15, 2}, 235, 3)}) {
     const Pressed pressed(volume, Border::closed);
     for (uint32_t holes = 0; holes < 30; ++holes)
-      for (const uint32_t slots : {least, 40U, 200U, ample.slots}) {
+      for (const uint32_t slots : {min_slots, 40U, 200U, ample.slots}) {
         INFO("holes ", holes, ", slots ", slots);
         CHECK(pressed.fault<uint16_t>(Capacities{slots, holes}) == "");
       }
@@ -162,8 +162,8 @@ TEST_CASE("the rings are the same in any memory from the minimum to plenty") {
 
 TEST_CASE("the rings are the same for every byte added to the minimum") {
   const Pressed pressed(random({7, 6, 5}, 120, 3), Border::closed);
-  const uint64_t minimum = Extractor16::minimum_bytes(pressed.limits());
-  for (uint64_t bytes = minimum; bytes < minimum + 3000; bytes += step(17))
+  const uint64_t min_bytes = Extractor16::minimum_bytes(pressed.limits());
+  for (uint64_t bytes = min_bytes; bytes < min_bytes + 3000; bytes += step(17))
     CHECK(pressed.fault<uint16_t>(bytes) == "");
 }
 

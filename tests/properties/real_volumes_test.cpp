@@ -139,11 +139,11 @@ TEST_CASE("real volumes are the same in any memory after joining") {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
     const std::vector<Region> merged = merge(volume, true);
-    const uint64_t least = Extractor16::minimum_bytes(limits_of(volume, Border::closed));
+    const uint64_t minimum = Extractor16::minimum_bytes(limits_of(volume, Border::closed));
     for (const uint64_t extra : {0U, 1000U, 10000U, 40000U}) {
       INFO(scan.file.string(), ", extra ", extra);
       Collector loose;
-      scan_into<uint16_t>(loose, volume, {}, least + extra);
+      scan_into<uint16_t>(loose, volume, {}, minimum + extra);
       CHECK(unlike_joined({loose}, merged) == "");
       CHECK(miscounted(loose, volume, true) == "");
     }

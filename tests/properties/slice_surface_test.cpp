@@ -200,8 +200,8 @@ TEST_CASE("set_memory() replaces the memory that was too small") {
     Bytes little(bytes), enough(Receiver::minimum_bytes(limits) + 200000);
     reference::require_ok(decoder.start(memory_of(little), make_sink(log)));
     CHECK(decoder.push(stream.data(), head).status == Status::too_little_memory);
-    const size_t least = Receiver::minimum_bytes(limits);
-    CHECK(decoder.set_memory({enough.data(), least - 1}) == Status::too_little_memory);
+    const size_t minimum = Receiver::minimum_bytes(limits);
+    CHECK(decoder.set_memory({enough.data(), minimum - 1}) == Status::too_little_memory);
     reference::require_ok(decoder.set_memory(memory_of(enough)));
     const Bytes unlike(bytes, 0xA5);
     unpoison(little.data(), little.size());  // red zones

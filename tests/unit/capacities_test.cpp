@@ -46,11 +46,11 @@ void check_defaults(const Limits& limits, uint64_t bytes) {
 // Increasing sizes, up to the end of 64 bits.
 template <class Index>
 void check_defaults_of_many_sizes(const Limits& limits) {
-  const uint64_t least = Extractor<Index>::minimum_bytes(limits);
+  const uint64_t minimum = Extractor<Index>::minimum_bytes(limits);
   Capacities before = minimum_capacities();
   for (uint64_t extra = 0; extra < uint64_t{1} << 40; extra = extra * 3 / 2 + 7) {
-    check_defaults<Index>(limits, least + extra);
-    const Capacities capacities = Extractor<Index>::default_capacities(limits, least + extra);
+    check_defaults<Index>(limits, minimum + extra);
+    const Capacities capacities = Extractor<Index>::default_capacities(limits, minimum + extra);
     REQUIRE(at_most(before, capacities));
     before = capacities;
   }
@@ -111,10 +111,10 @@ TEST_CASE("the default capacities leave few bytes unused") {
 }
 
 TEST_CASE("less memory than the minimum yields the minimum capacities") {
-  const Capacities least = minimum_capacities();
+  const Capacities minimum = minimum_capacities();
   for (const uint64_t bytes : {uint64_t{0}, uint64_t{1}, Extractor16::minimum_bytes(small)}) {
-    CHECK(at_most(Extractor16::default_capacities(small, bytes), least));
-    CHECK(at_most(least, Extractor16::default_capacities(small, bytes)));
+    CHECK(at_most(Extractor16::default_capacities(small, bytes), minimum));
+    CHECK(at_most(minimum, Extractor16::default_capacities(small, bytes)));
   }
 }
 
@@ -136,18 +136,18 @@ TEST_CASE("exactly bytes_for() bytes start a scan at any address, and one byte l
 }
 
 TEST_CASE("fewer slots than the minimum, or more than an index counts, are refused") {
-  const Capacities least = minimum_capacities();
-  CHECK(detail::sizing::is_valid<uint16_t>(least));
-  CHECK(detail::sizing::is_valid<uint32_t>(least));
-  CHECK_FALSE(detail::sizing::is_valid<uint16_t>({least.slots - 1, 0}));
-  CHECK_FALSE(detail::sizing::is_valid<uint32_t>({least.slots - 1, 0}));
+  const Capacities minimum = minimum_capacities();
+  CHECK(detail::sizing::is_valid<uint16_t>(minimum));
+  CHECK(detail::sizing::is_valid<uint32_t>(minimum));
+  CHECK_FALSE(detail::sizing::is_valid<uint16_t>({minimum.slots - 1, 0}));
+  CHECK_FALSE(detail::sizing::is_valid<uint32_t>({minimum.slots - 1, 0}));
   CHECK(detail::sizing::is_valid<uint16_t>({32759, 0}));
   CHECK_FALSE(detail::sizing::is_valid<uint16_t>({32760, 0}));
   CHECK(detail::sizing::is_valid<uint32_t>({0x7FFFFFF7, 0}));
   CHECK_FALSE(detail::sizing::is_valid<uint32_t>({0x7FFFFFF8, 0}));
   CHECK(detail::sizing::is_valid<uint16_t>({32759, UINT32_MAX}));
   CHECK(start_with<uint16_t>(small, {32760, 0}, 1 << 20) == Status::bad_capacities);
-  CHECK(start_with<uint16_t>(small, {least.slots - 1, 0}, 1 << 20) == Status::bad_capacities);
+  CHECK(start_with<uint16_t>(small, {minimum.slots - 1, 0}, 1 << 20) == Status::bad_capacities);
 }
 
 TEST_CASE("the minimum lies below the worst case and does not grow with the number of slices") {

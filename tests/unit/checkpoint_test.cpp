@@ -14,12 +14,12 @@ using namespace discmc::reference;
 namespace {
 
 template <class Index>
-void check_every_row(size_t most) {
+void check_every_row(size_t max_bytes) {
   for (const Scan& scan : scans()) {
     CAPTURE(scan.name);
     const Bytes whole = uninterrupted<Index>(scan);
     auto first = device_for<Index>(scan);
-    first.store.most = most;
+    first.store.max_bytes = max_bytes;
     first.start();
     for (uint32_t row = 0; row <= first.rows(); ++row) {
       CAPTURE(row);
@@ -76,7 +76,7 @@ TEST_CASE("a checkpoint in the middle of a frame continues at the beginning of t
   layer.kind = Event::Kind::layer;
   REQUIRE(first.accept(layer) == SinkResult::accepted);
   const uint64_t frame = first.bytes();
-  store.most = 3;
+  store.max_bytes = 3;
   store.pauses = false;
   REQUIRE(first.flush() == Status::suspended);
   REQUIRE(first.bytes() == frame + 3);
@@ -216,12 +216,12 @@ TEST_CASE("save() and restore() refuse invalid calls with a status") {
   alignas(4) uint8_t memory[Extractor16::minimum_bytes(limits) + 1] = {};
   const Memory whole{memory, sizeof memory - 1};
   require_ok(encoder.start({}, store.output()));
-  store.most = 0;  // the sink cannot accept the `layer` event
+  store.max_bytes = 0;  // the sink cannot accept the `layer` event
   require_ok(extractor.start(limits, 1, whole, sink));
   const uint8_t row[] = {0, 1, 1, 0};
   CHECK(extractor.push(row, 4).status == Status::suspended);
   CHECK(extractor.save(parts + 1) == Status::suspended);
-  store.most = SIZE_MAX;
+  store.max_bytes = SIZE_MAX;
   require_ok(extractor.resume());
   require_ok(encoder.save(parts));
   require_ok(extractor.save(parts + 1));

@@ -54,8 +54,8 @@ void check_refused_starts() {
   CHECK(extractor.start({1, UINT32_MAX}, 1, memory, sink) == Status::bad_limits);
   CHECK(extractor.start({8, 8, static_cast<Border>(2)}, 1, memory, sink) == Status::bad_limits);
   CHECK(extractor.start(good, 1, memory, Sink{}) == Status::bad_sink);
-  const auto least = static_cast<size_t>(Extractor<Index>::minimum_bytes(good));
-  CHECK(extractor.start(good, 1, {memory.data, least - 1}, sink) == Status::too_little_memory);
+  const auto minimum = static_cast<size_t>(Extractor<Index>::minimum_bytes(good));
+  CHECK(extractor.start(good, 1, {memory.data, minimum - 1}, sink) == Status::too_little_memory);
   CHECK(extractor.start(good, 1, {memory.data, 0}, sink) == Status::too_little_memory);
   CHECK(extractor.start(good, 1, {nullptr, 1 << 16}, sink) == Status::too_little_memory);
   for (const uint32_t slots : {minimum_capacities().slots - 1, UINT32_MAX})
@@ -68,7 +68,7 @@ void check_refused_starts() {
   const auto* bytes = static_cast<const uint8_t*>(memory.data);
   CHECK(std::equal(bytes, bytes + (1 << 16), static_cast<uint8_t*>(untouched.memory().data)));
   CHECK(extractor.finish() == Status::not_started);
-  CHECK(extractor.start(good, 1, {memory.data, least}, sink) == Status::ok);
+  CHECK(extractor.start(good, 1, {memory.data, minimum}, sink) == Status::ok);
   CHECK(log.events.size() == 0);
 }
 

@@ -326,14 +326,14 @@ TEST_CASE(
   const Limits limits{size.width, size.height};
   const int32_t threshold = 100;
   // The minimum memory, so every cell sends its normals when it is swept.
-  const Capacities least = minimum_capacities();
+  const Capacities minimum = minimum_capacities();
   for (uint32_t given = 1; given <= size.width * size.height * size.depth; ++given) {
     SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);
-    Block block(detail::sizing::bytes_for<uint16_t, WithNormals<uint8_t>>(limits, least));
+    Block block(detail::sizing::bytes_for<uint16_t, WithNormals<uint8_t>>(limits, minimum));
     EventLog log;
     NormalExtractor16<uint8_t> extractor;
     extractor.set_spacing(uneven_spacing);
-    require_ok(extractor.start(limits, least, threshold, block.memory(), make_sink(log)));
+    require_ok(extractor.start(limits, minimum, threshold, block.memory(), make_sink(log)));
     require_ok(extractor.push(volume.samples.data(), given).status);
     require_ok(extractor.abandon());
     const uint32_t slice = size.width * size.height;
@@ -392,18 +392,18 @@ TEST_CASE("a checkpoint of another sample type is refused") {
 TEST_CASE("memory for normals is required and counted in bytes_used()") {
   const Limits limits{16, 9};
   using Normals = WithNormals<uint16_t>;
-  const size_t least = detail::sizing::minimum_bytes<uint16_t, Normals>(limits);
-  CHECK(least >= Extractor16::minimum_bytes(limits) + 16 * (4 * 9 + 6) * 2);
-  Block block(least);
+  const size_t minimum = detail::sizing::minimum_bytes<uint16_t, Normals>(limits);
+  CHECK(minimum >= Extractor16::minimum_bytes(limits) + 16 * (4 * 9 + 6) * 2);
+  Block block(minimum);
   const Memory memory = block.memory();
   EventLog log;
   NormalExtractor16<uint16_t> extractor;
-  CHECK(extractor.start(limits, 1, {memory.data, least - 1}, make_sink(log)) ==
+  CHECK(extractor.start(limits, 1, {memory.data, minimum - 1}, make_sink(log)) ==
         Status::too_little_memory);
   CHECK(extractor.start(limits, 1, memory, make_sink(log)) == Status::ok);
-  CHECK(extractor.bytes_used() <= least);
+  CHECK(extractor.bytes_used() <= minimum);
   CHECK(extractor.bytes_used() > Extractor16::minimum_bytes(limits) + 16 * (4 * 9 + 6) * 2);
-  const uint64_t more = least + 4096;
+  const uint64_t more = minimum + 4096;
   const Capacities capacities = detail::sizing::default_capacities<uint16_t, Normals>(limits, more);
   CHECK(detail::sizing::bytes_for<uint16_t, Normals>(limits, capacities) <= more);
   CHECK(detail::sizing::bytes_for<uint16_t, Normals>(limits, capacities) > more - 500);

@@ -271,8 +271,8 @@ TEST_CASE("samples of 16 bits have their low byte first") {
 TEST_CASE("too little memory is refused with the required number of bytes") {
   ScanPlan plan = plan_of(30, 20, 50);
   plan.memory = 100;
-  const std::string least = std::to_string(Extractor16::minimum_bytes({30, 20}));
-  CHECK_THROWS_WITH_AS(Recording{plan}, doctest::Contains(least.c_str()), std::invalid_argument);
+  const std::string minimum = std::to_string(Extractor16::minimum_bytes({30, 20}));
+  CHECK_THROWS_WITH_AS(Recording{plan}, doctest::Contains(minimum.c_str()), std::invalid_argument);
 }
 
 TEST_CASE("a file returns rows by number, and a pipe the next row") {

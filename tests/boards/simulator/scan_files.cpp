@@ -39,8 +39,8 @@ const char* sample_of(meshing::SampleType type) {
 
 std::uint64_t arena_bytes(const command::VolumeInfo& info) {
   const std::uint64_t rows = 2 * (info.dims[0] * meshing::sample_bytes(info.type) + 4);
-  const std::uint64_t least = Extractor16::minimum_bytes({info.dims[0], info.dims[1]});
-  if (rows + least > memory)
+  const std::uint64_t minimum = Extractor16::minimum_bytes({info.dims[0], info.dims[1]});
+  if (rows + minimum > memory)
     throw std::invalid_argument("its slices of " + std::to_string(info.dims[0]) + "x" +
                                 std::to_string(info.dims[1]) +
                                 " voxels are too large for the board: use a smaller volume");

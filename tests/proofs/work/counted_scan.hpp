@@ -24,7 +24,7 @@ struct Room {
 struct Work {
   double max_of_bound = 0;  ///< maximum of work divided by bound
   double max_at_work = 0;   ///< the same, for calls that visited vertices
-  uint64_t most = 0;        ///< blocks of a push
+  uint64_t max_blocks = 0;  ///< blocks of a push
   uint64_t blocks = 0;      ///< of all calls
   uint64_t vertices = 0;
   uint64_t fragments = 0;
@@ -128,7 +128,7 @@ class CountedScan {
           static_cast<double>(bound(limits_.width, asked, counter_.holes, counter_.hole_runs));
       work.max_of_bound = std::max(work.max_of_bound, share);
       if (asked.vertices > 0) work.max_at_work = std::max(work.max_at_work, share);
-      if (i < pushes) work.most = std::max(work.most, call_blocks);
+      if (i < pushes) work.max_blocks = std::max(work.max_blocks, call_blocks);
       work.blocks += call_blocks;
       work.vertices += asked.vertices;
     }

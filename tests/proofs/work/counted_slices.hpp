@@ -14,7 +14,7 @@
 namespace discmc::work {
 
 struct SliceWork {
-  uint64_t most = 0;        ///< blocks of a push
+  uint64_t max_blocks = 0;  ///< blocks of a push
   double max_of_bound = 0;  ///< maximum of work divided by bound
 };
 
@@ -33,15 +33,15 @@ SliceWork encode_slices(const reference::BitVolume& volume, uint32_t key_slice_i
   const ByteOutput nowhere{nullptr, [](void*, const uint8_t*, size_t count) { return count; }};
   if (encoder.start(config, {memory.data(), memory.size()}, nowhere) != Status::ok)
     throw std::runtime_error("slices do not start");
-  const uint64_t most = slice_row_bound(volume.width, surfaces, levels != 0);
+  const uint64_t bound = slice_row_bound(volume.width, surfaces, levels != 0);
   SliceWork work;
   for (size_t voxel = 0; voxel < volume.voxels(); voxel += volume.width) {
     const uint64_t before = blocks;
     const Status status = encoder.push(volume.on.data() + voxel, volume.width).status;
-    work.most = std::max(work.most, blocks - before);
+    work.max_blocks = std::max(work.max_blocks, blocks - before);
     if (status != Status::ok) throw std::runtime_error(to_string(status));
   }
-  work.max_of_bound = static_cast<double>(work.most) / static_cast<double>(most);
+  work.max_of_bound = static_cast<double>(work.max_blocks) / static_cast<double>(bound);
   return work;
 }
 

@@ -93,7 +93,7 @@ bool check_hostile_volumes() {
         const uint64_t a_vertex = work.blocks / std::max<uint64_t>(work.vertices, 1);
         std::printf("%-26s %-7s %-13s %12" PRIu64 " %10" PRIu64 " %8.1f%% %6" PRIu64 "\n",
                     hostile.name, border == Border::closed ? "closed" : "open", room.name,
-                    work.most, work.vertices > 0 ? a_vertex : 0, 100 * work.max_of_bound,
+                    work.max_blocks, work.vertices > 0 ? a_vertex : 0, 100 * work.max_of_bound,
                     work.fragments);
         holds = holds && work.max_of_bound <= 1;
       }
@@ -113,7 +113,7 @@ bool check_slices() {
                                           : encode_slices<FractionSliceEncoder<uint8_t>>;
           const SliceWork work = encode(hostile.volume, interval, surfaces, levels);
           std::printf("%-26s %-12" PRIu32 " %8d %6d %12" PRIu64 " %8.1f%%\n", hostile.name,
-                      interval, surfaces, levels, work.most, 100 * work.max_of_bound);
+                      interval, surfaces, levels, work.max_blocks, 100 * work.max_of_bound);
           holds = holds && work.max_of_bound <= 1;
         }
   return holds;
@@ -135,16 +135,16 @@ void change(BitVolume& volume, std::mt19937& chance) {
 double climb(Border border, const Room& room, Size size, uint64_t steps, uint32_t seed) {
   std::mt19937 chance(seed);
   BitVolume best = random(size, 128, seed);
-  double most = CountedScan(best, border, room).run().max_at_work;
+  double max_share = CountedScan(best, border, room).run().max_at_work;
   for (uint64_t step = 0; step < steps; ++step) {
     BitVolume changed = best;
     change(changed, chance);
     const double share = CountedScan(changed, border, room).run().max_at_work;
-    if (share < most) continue;
-    most = share;
+    if (share < max_share) continue;
+    max_share = share;
     best = std::move(changed);
   }
-  return most;
+  return max_share;
 }
 
 bool search_for_worse(uint64_t steps) {
@@ -153,11 +153,11 @@ bool search_for_worse(uint64_t steps) {
   bool holds = true;
   for (const Border border : {Border::closed, Border::open}) {
     for (const Room& room : small_rooms) {
-      const double most = climb(border, room, size, steps / (2 * small_rooms.size()), 1);
+      const double max_share = climb(border, room, size, steps / (2 * small_rooms.size()), 1);
       std::printf("search: %-7s %-13s %5.1f%% of the bound\n",
-                  border == Border::closed ? "closed" : "open", room.name, 100 * most);
+                  border == Border::closed ? "closed" : "open", room.name, 100 * max_share);
       std::fflush(stdout);
-      holds = holds && most <= 1;
+      holds = holds && max_share <= 1;
     }
   }
   return holds;

@@ -16,47 +16,47 @@ inline Statistics from_c(const discmc_statistics& s) {
 }
 
 inline StreamHeader from_c(const discmc_stream_header& header) {
-  StreamHeader same;
-  same.width = header.width;
-  same.height = header.height;
-  same.depth = header.depth;
-  std::copy_n(header.spacing_nm, 3, same.spacing_nm);
-  std::copy_n(header.thresholds, StreamHeader::max_surfaces, same.thresholds);
-  same.border = static_cast<Border>(header.border);
-  same.channel = header.channel;
-  same.scan = header.scan;
-  same.surface_count = header.surface_count;
-  return same;
+  StreamHeader converted;
+  converted.width = header.width;
+  converted.height = header.height;
+  converted.depth = header.depth;
+  std::copy_n(header.spacing_nm, 3, converted.spacing_nm);
+  std::copy_n(header.thresholds, StreamHeader::max_surfaces, converted.thresholds);
+  converted.border = static_cast<Border>(header.border);
+  converted.channel = header.channel;
+  converted.scan = header.scan;
+  converted.surface_count = header.surface_count;
+  return converted;
 }
 
 inline RecordedEvent from_c(const discmc_event& event) {
-  Event same{};
-  same.kind = static_cast<Event::Kind>(event.kind);
-  same.incidence = event.incidence;
-  same.incoming_direction = event.incoming_direction;
-  same.is_hole = event.is_hole != 0;
-  same.is_repeated = event.is_repeated != 0;
-  same.is_abandoned = event.is_abandoned != 0;
-  same.normal = {event.normal[0], event.normal[1]};
-  same.run = Run::from_code(event.run);
-  same.slice = event.slice;
-  same.row = event.row;
-  same.start = {event.start.x, event.start.y, event.start.z};
+  Event converted{};
+  converted.kind = static_cast<Event::Kind>(event.kind);
+  converted.incidence = event.incidence;
+  converted.incoming_direction = event.incoming_direction;
+  converted.is_hole = event.is_hole != 0;
+  converted.is_repeated = event.is_repeated != 0;
+  converted.is_abandoned = event.is_abandoned != 0;
+  converted.normal = {event.normal[0], event.normal[1]};
+  converted.run = Run::from_code(event.run);
+  converted.slice = event.slice;
+  converted.row = event.row;
+  converted.start = {event.start.x, event.start.y, event.start.z};
   Statistics statistics{};
   StreamHeader header;
   ApplicationRecord application;
-  if (same.kind == Event::Kind::finish) {
+  if (converted.kind == Event::Kind::finish) {
     statistics = from_c(*event.of.statistics);
-    same.statistics = &statistics;
-  } else if (same.kind == Event::Kind::start) {
+    converted.statistics = &statistics;
+  } else if (converted.kind == Event::Kind::start) {
     header = from_c(*event.of.header);
-    same.header = &header;
-  } else if (same.kind == Event::Kind::application) {
+    converted.header = &header;
+  } else if (converted.kind == Event::Kind::application) {
     const discmc_application_record& record = *event.of.application;
     application = {record.kind, record.slice, record.row, record.bytes, record.count};
-    same.application = &application;
+    converted.application = &application;
   }
-  return RecordedEvent(same);
+  return RecordedEvent(converted);
 }
 
 /// An EventLog as a sink of the C API. Owner: the log must outlive the sink.

@@ -15,17 +15,17 @@ namespace discmc::test {
 
 using namespace discmc::reference;
 
-/// The receiver of a stream's bytes: accepts all, or at most some at a time with pauses.
+/// The receiver of a stream's bytes: accepts all, or at most max_bytes at a time, with pauses.
 struct Store {
   Bytes bytes;
-  size_t most = SIZE_MAX;
+  size_t max_bytes = SIZE_MAX;
   bool pauses = false;
 
   static size_t write(void* context, const uint8_t* bytes, size_t count) {
     auto& store = *static_cast<Store*>(context);
-    const bool takes_some = store.most == SIZE_MAX || (store.pauses = !store.pauses);
-    if (!takes_some) return 0;
-    count = std::min(count, store.most);
+    const bool accepts = store.max_bytes == SIZE_MAX || (store.pauses = !store.pauses);
+    if (!accepts) return 0;
+    count = std::min(count, store.max_bytes);
     store.bytes.insert(store.bytes.end(), bytes, bytes + count);
     return count;
   }
@@ -164,8 +164,8 @@ inline std::vector<Scan> scans() {
 
 template <class Index>
 Device<Index> device_for(const Scan& scan) {
-  const uint64_t least = Extractor<Index>::minimum_bytes(limits_of(scan.volume, scan.border));
-  return Device<Index>(scan.volume, scan.border, least + scan.spare);
+  const uint64_t min_bytes = Extractor<Index>::minimum_bytes(limits_of(scan.volume, scan.border));
+  return Device<Index>(scan.volume, scan.border, min_bytes + scan.spare);
 }
 
 template <class Index>

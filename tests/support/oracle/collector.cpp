@@ -130,8 +130,8 @@ void Collector::add_run(const Run& run) {
   require(run.length() > 0, "a run of no links");
   require(run.direction() < direction_count(region_.incidence),
           "a direction that the plane does not have");
-  Run both = last_run_;
-  if (!last_run_.is_empty() && both.absorb(run)) ++split_sides_;
+  Run merged = last_run_;
+  if (!last_run_.is_empty() && merged.absorb(run)) ++split_sides_;
   runs_.push_back(run);
   links_ += run.length();
   last_run_ = run;

@@ -52,8 +52,8 @@ std::array<double, 3> gradient(const SampleVolume<Sample>& volume, const Vertex&
       auto before = voxel, after = voxel;
       if (voxel[axis] > 0) --before[axis];
       if (voxel[axis] < most[axis]) ++after[axis];
-      const auto way = static_cast<double>(after[axis] - before[axis]);
-      if (way > 0) sum[axis] += (volume.at(after) - volume.at(before)) / way;
+      const auto distance = static_cast<double>(after[axis] - before[axis]);
+      if (distance > 0) sum[axis] += (volume.at(after) - volume.at(before)) / distance;
     }
   }
   return {sum[0] / voxels, sum[1] / voxels, sum[2] / voxels};

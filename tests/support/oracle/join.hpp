@@ -51,10 +51,10 @@ inline Joined join_all(const Events& events, const JoinPlan& plan) {
     status = joiner.finish();
   }
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
-  const JoinCapacities most = joiner.peaks();
-  if (most.fragments > plan.capacities.fragments || most.runs > plan.capacities.runs)
+  const JoinCapacities peaks = joiner.peaks();
+  if (peaks.fragments > plan.capacities.fragments || peaks.runs > plan.capacities.runs)
     throw std::runtime_error("in use beyond the capacity");
-  return {std::move(log.events), joiner.report(), most, status};
+  return {std::move(log.events), joiner.report(), peaks, status};
 }
 
 }  // namespace discmc::reference

@@ -165,7 +165,7 @@ class Cutter {
   }
 
   // Returns cuts at the seams between slabs, and at random places.
-  std::vector<size_t> places_to_cut(const RingName& name) const {
+  std::vector<size_t> cut_vertices(const RingName& name) const {
     const Ring& ring = ring_of(name);
     std::vector<size_t> places;
     for (size_t i = 0; i < ring.size(); ++i) {
@@ -183,7 +183,7 @@ class Cutter {
   // One of the pieces is sent when the ring is complete, the others some time before.
   void add_pieces(const RingName& name) {
     const Ring& ring = ring_of(name);
-    const std::vector<size_t> places = places_to_cut(name);
+    const std::vector<size_t> places = cut_vertices(name);
     const size_t rank = ranks_[name.region][name.ring];
     const size_t last = cuts_.below(static_cast<uint32_t>(places.size()));
     for (size_t i = 0; i < places.size(); ++i) {

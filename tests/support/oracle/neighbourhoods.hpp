@@ -11,15 +11,15 @@ template <class Visit>
 void for_each_neighbourhood(int axis, Visit visit, uint32_t absent = 0) {
   for (uint32_t around = 0; around < 1U << 18; ++around) {
     uint32_t words[9] = {};
-    uint32_t left = around;
+    uint32_t voxels = around;
     detail::trace::RowBlock rows;
     for (int row = 0; row < 9; ++row) {
       rows.row[row / 3][row % 3] = &words[row];
       for (int x = 0; x < 3; ++x) {
         const int along = axis == 0 ? x : axis == 1 ? row % 3 : row / 3;
         if (along == 0) continue;
-        words[row] |= (left & 1) << (x + 1);
-        left >>= 1;
+        words[row] |= (voxels & 1) << (x + 1);
+        voxels >>= 1;
       }
     }
     constexpr uint32_t middle_bit = 2;

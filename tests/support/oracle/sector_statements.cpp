@@ -183,19 +183,19 @@ CellEdge edge_in(const Quadrant& quadrant, CellEdge named) {
 using Ways = std::array<std::array<bool, cell_edges>, cell_edges>;
 
 const Ways& ways_by_centroids() {
-  static const Ways all = [] {
+  static const Ways result = [] {
     Ways ways{};
     for (int axis = 0; axis < axes; ++axis)
       for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-        for (const auto& of_lower : looks_of(axis, quadrant))
-          for (const Look& seen : of_lower) {
+        for (const auto& looks : looks_of(axis, quadrant))
+          for (const Look& seen : looks) {
             if (seen.to == cell_edges) continue;
             const CellEdge own = edge_at(Quadrant{axis, quadrant}.vertex());
             ways.at(own).at(seen.to) = ways.at(seen.from).at(own) = true;
           }
     return ways;
   }();
-  return all;
+  return result;
 }
 
 bool leads_to_centroids(const SectorTable& table) {
@@ -256,11 +256,11 @@ bool leads_by_centroids(const SectorTable& table) {
         const Way& way = table.axis[axis].way[quadrant][named];
         const CellEdge own = edge_at(Quadrant{axis, quadrant}.vertex());
         const CellEdge other = edge_in({axis, quadrant}, named);
-        const bool is_taken =
+        const bool is_used =
             ways_by_centroids().at(own).at(other) || ways_by_centroids().at(other).at(own);
         const Way empty;
-        if (is_taken ? !is_way(way, edges().at(other) - position(centroid), other > own)
-                     : std::memcmp(&empty, &way, sizeof way) != 0)
+        if (is_used ? !is_way(way, edges().at(other) - position(centroid), other > own)
+                    : std::memcmp(&empty, &way, sizeof way) != 0)
           return false;
       }
   return true;
@@ -311,24 +311,24 @@ bool sees_the_facets(const SectorTable& table) {
 // A kind of link and the queue of its chains. The kind is the earlier vertex with two vectors: to
 // the later vertex, and to the centroid in between (zero on a face).
 struct Kind {
-  Vertex begin, vector, by;
-  bool is_taken[2];  // by chains forwards, and backwards
+  Vertex begin, vector, through;
+  bool is_used[2];  // by chains forwards, and backwards
   int queue;
 };
 
 // Adds a way to the kinds, seen from a vertex. Returns false if its queue differs from that at the
-// other end of the link. by: the centroid, or the vertex itself.
-bool add_kind(std::vector<Kind>& kinds, const Way& way, const Vertex& here, const Vertex& there,
-              const Vertex& by, bool goes, bool comes) {
-  const bool is_ahead = visit(here) < visit(there);
-  const Vertex& earlier = is_ahead ? here : there;
+// other end of the link. through: the centroid, or the vertex itself.
+bool add_kind(std::vector<Kind>& kinds, const Way& way, const Vertex& here, const Vertex& other,
+              const Vertex& through, bool leaves, bool arrives) {
+  const bool is_ahead = visit(here) < visit(other);
+  const Vertex& earlier = is_ahead ? here : other;
   const Kind kind{{earlier.x & 1, earlier.y & 1, earlier.z & 1},
-                  is_ahead ? there - here : here - there,
-                  by == here ? Vertex{0, 0, 0} : by - earlier,
-                  {is_ahead ? goes : comes, is_ahead ? comes : goes},
+                  is_ahead ? other - here : here - other,
+                  through == here ? Vertex{0, 0, 0} : through - earlier,
+                  {is_ahead ? leaves : arrives, is_ahead ? arrives : leaves},
                   is_ahead ? way.queue_out() : way.queue_in()};
   for (const Kind& known : kinds)
-    if (known.begin == kind.begin && known.vector == kind.vector && known.by == kind.by)
+    if (known.begin == kind.begin && known.vector == kind.vector && known.through == kind.through)
       return known.queue == kind.queue;
   kinds.push_back(kind);
   return true;
@@ -346,10 +346,10 @@ bool agrees_from_both_ends(const SectorTable& table, std::vector<Kind>& kinds) {
       const CellEdge own = edge_at(Quadrant{axis, quadrant}.vertex());
       for (CellEdge named = 0; named < cell_edges; ++named) {
         const CellEdge other = edge_in({axis, quadrant}, named);
-        const bool goes = ways_by_centroids().at(own).at(other);
-        const bool comes = ways_by_centroids().at(other).at(own);
-        if ((goes || comes) && !add_kind(kinds, ways[named], edges().at(own), edges().at(other),
-                                         position(centroid), goes, comes))
+        const bool leaves = ways_by_centroids().at(own).at(other);
+        const bool arrives = ways_by_centroids().at(other).at(own);
+        if ((leaves || arrives) && !add_kind(kinds, ways[named], edges().at(own), edges().at(other),
+                                             position(centroid), leaves, arrives))
           return false;
       }
     }
@@ -361,7 +361,7 @@ bool shares_no_queue(const std::vector<Kind>& kinds) {
   std::array<int, detail::trace::queue_count> users{};
   for (const Kind& kind : kinds)
     for (int way = 0; way < 2; ++way) {
-      if (!kind.is_taken[way]) continue;
+      if (!kind.is_used[way]) continue;
       const int queue = way == 0 ? kind.queue : kind.queue ^ 1;
       if (queue >= detail::trace::queue_count) return false;
       if (rises(kind.begin, kind.begin + kind.vector) !=

@@ -61,11 +61,11 @@ void lose_power(AnyEncoder& encoder, reference::Block& memory, Line& line) {
     (void)encoder.resume();
     return encoder.save(parts);
   });
-  reference::Block later(memory.memory().bytes);
-  std::memcpy(later.memory().data, parts[1].data, parts[1].bytes);
-  reference::require_ok(encoder.restore(later.memory(), line.output()));
+  reference::Block restored(memory.memory().bytes);
+  std::memcpy(restored.memory().data, parts[1].data, parts[1].bytes);
+  reference::require_ok(encoder.restore(restored.memory(), line.output()));
   line.bytes.resize(encoder.bytes());
-  memory = std::move(later);
+  memory = std::move(restored);
 }
 
 template <class AnyEncoder, class Sample>
@@ -76,9 +76,9 @@ Bytes encode_samples(AnyEncoder& encoder, const SliceEncoderConfig& config,
   reference::require_ok(encoder.start(config, block.memory(), line.output()));
   const uint32_t width = config.limits.width;
   const auto rows = static_cast<uint32_t>(samples.size() / width);
-  const uint32_t together = plan.flush_every > 0 ? plan.flush_every : rows;
-  for (uint32_t row = 0; row < rows; row += together) {
-    const uint32_t count = std::min(together, rows - row);
+  const uint32_t rows_at_once = plan.flush_every > 0 ? plan.flush_every : rows;
+  for (uint32_t row = 0; row < rows; row += rows_at_once) {
+    const uint32_t count = std::min(rows_at_once, rows - row);
     push_rows(encoder, &samples[size_t{row} * width], count * width, plan.portion);
     if (plan.flush_every > 0) until_done([&] { return encoder.flush(); });
     if (plan.fails) lose_power(encoder, block, line);
@@ -110,9 +110,9 @@ inline Bytes lost_slices(const reference::Size& size) {
   packets.attach(line.output());
   packets.header() = {size.width, size.height, size.depth, {}, {1}, Border::closed};
   packets.begin_stream(detail::wire::HeaderFlags::slices);
-  if (!packets.drain()) throw std::runtime_error("the line takes everything");
+  if (!packets.drain()) throw std::runtime_error("the line must accept all bytes");
   packets.seal_slices_trailer(size.depth, false, uint64_t{size.height} * size.depth, 0);
-  if (!packets.drain()) throw std::runtime_error("the line takes everything");
+  if (!packets.drain()) throw std::runtime_error("the line must accept all bytes");
   return line.bytes;
 }
 
@@ -145,10 +145,10 @@ class RowLog {
     if (event.kind == RowEvent::Kind::fractions) {
       if (!fractions_.empty()) throw std::runtime_error("fractions without a row");
       fractions_.assign(event.fractions, event.fractions + width_);
-      place_ = event;
+      fractions_event_ = event;
       return SinkResult::accepted;
     }
-    if (!fractions_.empty() && !is_at_place(event))
+    if (!fractions_.empty() && !is_of_fractions_row(event))
       throw std::runtime_error("fractions of another row");
     Bytes bits;
     if (event.kind == RowEvent::Kind::row || event.kind == RowEvent::Kind::skipped)
@@ -162,16 +162,16 @@ class RowLog {
   std::vector<StreamHeader> starts;
 
  private:
-  bool is_at_place(const RowEvent& event) const {
-    return event.kind == RowEvent::Kind::row && event.slice == place_.slice &&
-           event.row == place_.row && event.channel == place_.channel;
+  bool is_of_fractions_row(const RowEvent& event) const {
+    return event.kind == RowEvent::Kind::row && event.slice == fractions_event_.slice &&
+           event.row == fractions_event_.row && event.channel == fractions_event_.channel;
   }
 
   bool refuses_;
   bool was_refused_ = false;
   uint32_t width_ = 0;
   std::vector<uint16_t> fractions_;  // of the next row
-  RowEvent place_{};
+  RowEvent fractions_event_{};
 };
 
 /// Pushes all bytes of a stream in portions (0: all at once), and ends the stream. Returns the
@@ -252,13 +252,13 @@ bool have_fractions(const std::vector<RecordedRow>& rows,
     const size_t at = size_t{z} * volume.size.height + y;
     has_arrived[at] = true;
     std::vector<uint16_t> expected = reference::fractions_of_row(volume, threshold, levels, y, z);
-    bool is_any = false;
+    bool has_entries = false;
     for (uint16_t& entry : expected) {
       if (y > 0 && !has_arrived[at - 1]) entry &= 0707;
       if (z > 0 && !has_arrived[at - volume.size.height]) entry &= 0077;
-      is_any = is_any || entry != 0;
+      has_entries = has_entries || entry != 0;
     }
-    if (is_any ? row.fractions != expected : !row.fractions.empty()) return false;
+    if (has_entries ? row.fractions != expected : !row.fractions.empty()) return false;
   }
   return true;
 }

@@ -59,10 +59,11 @@ inline StreamHeader any_header() {
 
 // ---- encoding ----
 
-/// Accepts bytes like a slow line: `most` at every second call, none at the others. 0: all.
+/// Accepts bytes like a slow line: at most max_bytes at every second call, none at the others. 0:
+/// all.
 class Line {
  public:
-  explicit Line(size_t most = 0) : most_(most) {}
+  explicit Line(size_t max_bytes = 0) : max_bytes_(max_bytes) {}
   ByteOutput output() {
     return {this,
             [](void* context, const uint8_t* data, size_t count) {
@@ -75,14 +76,14 @@ class Line {
 
  private:
   size_t write(const uint8_t* data, size_t count) {
-    was_busy_ = most_ > 0 && !was_busy_;
+    was_busy_ = max_bytes_ > 0 && !was_busy_;
     if (was_busy_) return 0;
-    const size_t accepted = most_ > 0 && most_ < count ? most_ : count;
+    const size_t accepted = max_bytes_ > 0 && max_bytes_ < count ? max_bytes_ : count;
     bytes.insert(bytes.end(), data, data + accepted);
     return accepted;
   }
 
-  size_t most_;
+  size_t max_bytes_;
   bool was_busy_ = false;
 };
 
@@ -109,7 +110,7 @@ inline Event start_of(const StreamHeader& header) {
   return event;
 }
 
-/// Begins a stream like an extractor. Returns the reason of a refusal, like an extractor.
+/// Begins a stream as an extractor does. Returns the reason of a refusal.
 template <class Encoding>
 Status begin_stream(Encoding& encoder, const StreamHeader& header, const ByteOutput& output) {
   const Status status = encoder.start(header.label(), output);

@@ -158,31 +158,31 @@ inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows
   return log.events;
 }
 
-/// Adds a ring as loose fragments of `most` runs. A cut leaves the last link of a run to the next
-/// fragment.
+/// Adds a ring as loose fragments of at most max_runs runs. A cut leaves the last link of a run to
+/// the next fragment.
 inline void add_loose_ring(Script& script, Incidence incidence, Vertex start,
-                           const std::vector<Run>& runs, size_t most) {
+                           const std::vector<Run>& runs, size_t max_runs) {
   Vertex at = start;
   script.fragment(incidence, at, runs.back().direction());
   for (size_t i = 0; i < runs.size(); ++i) {
     const Direction direction = runs[i].direction();
-    const bool is_cut = (i + 1) % most == 0;
-    const uint32_t left = is_cut && runs[i].length() > 1 ? 1 : 0;
-    const Run run = Run::straight(direction, runs[i].length() - left);
+    const bool is_cut = (i + 1) % max_runs == 0;
+    const uint32_t links_left = is_cut && runs[i].length() > 1 ? 1 : 0;
+    const Run run = Run::straight(direction, runs[i].length() - links_left);
     script.run(run);
     at = at + displacement(incidence, &run, 1);
-    if (is_cut && (left > 0 || i + 1 < runs.size()))
+    if (is_cut && (links_left > 0 || i + 1 < runs.size()))
       script.fragment_end().fragment(incidence, at, direction);
-    if (left == 0) continue;
-    script.run(direction, left);
+    if (links_left == 0) continue;
+    script.run(direction, links_left);
     at = at + direction_vector(incidence, direction);
   }
   script.fragment_end();
 }
 
-/// Returns the events of a scan with each ring of more than `most` runs as loose fragments.
+/// Returns the events of a scan with each ring of more than max_runs runs as loose fragments.
 /// Fragments that the scan itself has sent stay unchanged.
-inline Events with_loose_fragments(const Events& events, size_t most) {
+inline Events with_loose_fragments(const Events& events, size_t max_runs) {
   struct Chain {
     Vertex start;
     std::vector<Run> runs;
@@ -207,11 +207,11 @@ inline Events with_loose_fragments(const Events& events, size_t most) {
         recorded.is(Event::Kind::run))
       continue;
     if (std::any_of(rings.begin(), rings.end(),
-                    [most](const Chain& ring) { return ring.runs.size() > most; })) {
+                    [max_runs](const Chain& ring) { return ring.runs.size() > max_runs; })) {
       const Incidence incidence = region.front().event().incidence;
       Script script;
       for (size_t i = rings.size(); i-- > 0;)  // adds the outer ring last
-        add_loose_ring(script, incidence, rings[i].start, rings[i].runs, most);
+        add_loose_ring(script, incidence, rings[i].start, rings[i].runs, max_runs);
       region = script.events;
     }
     for (const RecordedEvent& one : region) {

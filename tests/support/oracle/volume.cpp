@@ -33,8 +33,8 @@ BitVolume torus(Size size, int64_t ring_radius, int64_t tube_radius) {
     const int64_t from_axis =
         square(2 * x + 1 - int64_t{size.width}) + square(2 * y + 1 - int64_t{size.height});
     const int64_t from_plane = square(2 * z + 1 - int64_t{size.depth});
-    const int64_t left = from_axis + from_plane + square(ring_radius) - square(tube_radius);
-    return left <= 0 || square(left) <= 4 * square(ring_radius) * from_axis;
+    const int64_t sum = from_axis + from_plane + square(ring_radius) - square(tube_radius);
+    return sum <= 0 || square(sum) <= 4 * square(ring_radius) * from_axis;
   });
 }
 

@@ -16,9 +16,9 @@ struct Fractal {
 
   bool operator()(uint32_t x, uint32_t y, uint32_t z) const {
     if (kind == Kind::sierpinski) return ((x & y) | (y & z) | (x & z)) == 0;
-    const uint32_t most = kind == Kind::menger ? 1 : 0;
+    const uint32_t max_middles = kind == Kind::menger ? 1 : 0;
     for (; (x | y | z) != 0; x /= 3, y /= 3, z /= 3)
-      if (is_middle(x) + is_middle(y) + is_middle(z) > most) return false;
+      if (is_middle(x) + is_middle(y) + is_middle(z) > max_middles) return false;
     return true;
   }
 

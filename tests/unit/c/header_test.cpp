@@ -85,9 +85,9 @@ TEST_CASE("a config without slots needs the minimum of memory, and invalid confi
   discmc_extractor_config config{};
   config.kind = &discmc_plain_u8;
   config.limits = {10, 10, DISCMC_CLOSED};
-  const uint64_t least = discmc_extractor_bytes(&config);
+  const uint64_t minimum = discmc_extractor_bytes(&config);
   config.slots = DISCMC_MIN_SLOTS;
-  CHECK(discmc_extractor_bytes(&config) == least);
+  CHECK(discmc_extractor_bytes(&config) == minimum);
   config.kind = nullptr;
   CHECK(discmc_extractor_bytes(&config) == 0);
   config.kind = &discmc_plain_u8;

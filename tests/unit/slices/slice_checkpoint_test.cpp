@@ -18,7 +18,7 @@ struct DevicePlan {
   const char* name;
   uint32_t key_slice_interval;
   uint8_t surface_count;
-  size_t most;  // bytes that the output accepts at a time
+  size_t max_bytes;  // bytes that the output accepts at a time
 };
 
 constexpr DevicePlan plans[] = {{"one key slice", {}, 1, SIZE_MAX},
@@ -42,7 +42,7 @@ class SliceDevice {
       : volume_(volume), key_slice_interval_(plan.key_slice_interval), header_(header_of(volume)) {
     header_.surface_count = plan.surface_count;
     for (int32_t& threshold : header_.thresholds) threshold = header_.thresholds[0];
-    store.most = plan.most;
+    store.max_bytes = plan.max_bytes;
     const Limits limits{volume.width, volume.height};
     block_ = Block(
         SliceEncoder::minimum_bytes({limits, {}, key_slice_interval_, header_.surface_count}));
@@ -159,10 +159,10 @@ TEST_CASE("a finished scan of slices is restored as finished and sends its remai
     device.scan_to(device.rows());
     require_ok(device.encoder.flush());
     const size_t before = device.store.bytes.size();
-    if (!goes_out) device.store.most = 0;
+    if (!goes_out) device.store.max_bytes = 0;
     CHECK(device.encoder.finish() == (goes_out ? Status::ok : Status::suspended));
     REQUIRE(other.restore(device.save()) == Status::ok);
-    device.store.most = SIZE_MAX;
+    device.store.max_bytes = SIZE_MAX;
     require_ok(device.encoder.finish());
     other.finish();
     const size_t missing = goes_out ? 0 : device.store.bytes.size() - before;
@@ -186,7 +186,7 @@ TEST_CASE("save() and restore() of a slice encoder refuse invalid calls with a s
 
   // The output accepts the header, and nothing of a row that fills a packet.
   require_ok(encoder.flush());
-  store.most = 0;
+  store.max_bytes = 0;
   uint8_t samples[999];
   Chance chance(1);
   for (uint8_t& sample : samples) sample = chance.below(2) > 0 ? 1 : 0;
@@ -194,7 +194,7 @@ TEST_CASE("save() and restore() of a slice encoder refuse invalid calls with a s
   while (status == Status::ok) status = encoder.push(samples, 999).status;
   REQUIRE(status == Status::suspended);
   CHECK(encoder.save(parts) == Status::suspended);
-  store.most = SIZE_MAX;
+  store.max_bytes = SIZE_MAX;
   require_ok(encoder.resume());
   require_ok(encoder.save(parts));
   const Image image = image_of({parts, parts + 2});
