@@ -276,7 +276,7 @@ TEST_CASE_FIXTURE(Ball, "an empty surface is valid in every format") {
   }
 }
 
-TEST_CASE_FIXTURE(Ball, "an unwritable table is a failure, and the stream is there") {
+TEST_CASE_FIXTURE(Ball, "a table that cannot be written is a failure, but the stream is written") {
   if (shell("test -c /dev/full").code != 0) return;
   const Result result = shell("\"$discmc\" extract v.nrrd --iso 100 -o v.dmc >/dev/full");
   check_failure(result, 1, {"standard output: writing failed (No space left on device)"});

@@ -93,7 +93,7 @@ TEST_CASE("a convex ring may begin anywhere, also in the middle of a level side"
   }
 }
 
-TEST_CASE("a ring that meets itself, or has another direction, has no ears") {
+TEST_CASE("ear clipping refuses rings that touch or cross themselves or are clockwise") {
   CHECK_FALSE(cut({{2, 0}, {8, 4}, {0, 4}, {6, 0}, {4, 7}}).is_cut);          // winds twice
   CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {9, 4}, {1, 4}}).is_cut);  // crosses itself
   CHECK_FALSE(cut({{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}).is_cut);          // touches a side

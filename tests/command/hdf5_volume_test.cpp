@@ -257,7 +257,8 @@ TEST_CASE("the axis names in attributes of ilastik determine x, y and z") {
   CHECK_FALSE(noted(read_info(file), "dropped"));
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "axes are named in any order, and samples keep their places") {
+TEST_CASE_FIXTURE(Hdf5File,
+                  "--axes names the axes in any order, and samples keep their coordinates") {
   Bytes samples(120);
   std::iota(samples.begin(), samples.end(), std::uint8_t{0});
   for (const bool is_chunked : {false, true})
@@ -358,7 +359,7 @@ TEST_CASE_FIXTURE(Hdf5File, "names with control characters are shown without") {
   check_refused(file, "/a_[31m (5 x 3 x 4), /b");
 }
 
-TEST_CASE("the library prints no errors of its own, in any thread") {
+TEST_CASE("libhdf5 prints no errors of its own, in any thread") {
   const auto reader = open_volume(files / "hdf5/u8-little.h5");
   std::thread([&reader] {
     std::uint8_t slice[15];

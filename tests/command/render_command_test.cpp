@@ -58,7 +58,8 @@ TEST_CASE_FIXTURE(Volumes, "a picture without any of the surface is noted") {
                  "standard output: no part of the surface"));
 }
 
-TEST_CASE_FIXTURE(Volumes, "classic Marching Cubes has a picture of its own") {
+TEST_CASE_FIXTURE(Volumes,
+                  "render --classic draws another picture, equal for a file and its raw samples") {
   const std::string classic = picture("v.nrrd --iso 100 --classic");
   CHECK(classic != picture("v.nrrd --iso 100"));
   CHECK(classic != picture("v.nrrd --iso 100 --classic --shade smooth"));

@@ -140,7 +140,7 @@ TEST_CASE("uneven decimals are refused, and the remedy names them") {
                 "if uneven decimals count them, rename them by whole numbers");
 }
 
-TEST_CASE("numbers beside a point are counters if they are no even decimals") {
+TEST_CASE("numbers beside a point are read as counters if they are not evenly spaced decimals") {
   check_advice({"t1.7.png", "t1.8.png", "t2.7.png", "t2.8.png"},
                "the names count in several numbers", "t1.*.png", 2);
   for (const std::vector<std::string>& names :
@@ -154,7 +154,7 @@ TEST_CASE("numbers beside a point are counters if they are no even decimals") {
   }
 }
 
-TEST_CASE("names without one order are refused") {
+TEST_CASE("names whose numbers define no order are refused") {
   check_refused(Pictures({"id8_s1.png", "id3_s2.png", "id5_s3.png"}).path(),
                 "the numbers in the names give different orders");
   check_refused(Pictures({"s1.png", "s01.png", "s2.png"}).path(),

@@ -50,7 +50,7 @@ TEST_CASE_FIXTURE(Workshop, "padding excluded from Otsu's threshold is reported"
   CHECK(contains(run("extract ct.nrrd --iso auto -q -o v.stl").error, "--iso auto: 300 (bone)\n"));
 }
 
-TEST_CASE_FIXTURE(Head, "named thresholds go beside numbers, and name their meshes") {
+TEST_CASE_FIXTURE(Head, "named thresholds can be combined with numbers, and name their meshes") {
   done("extract ct.nrrd --iso bone --iso 45 --iso auto -o '{name}.stl'");
   CHECK(file_names() == std::vector<std::string>{"45.stl", "auto.stl", "bone.stl", "ct.nrrd"});
   CHECK(read("auto.stl") == read("bone.stl"));

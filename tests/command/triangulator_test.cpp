@@ -232,7 +232,7 @@ TEST_CASE("a triangulator is reusable for further polygons") {
   check_contract(large, triangulator.triangulate(large.points, large.ends));
 }
 
-TEST_CASE("the farthest points are exact") {
+TEST_CASE("triangulation is exact for the largest coordinates") {
   constexpr std::int64_t far = max_plane_coordinate;
   const Rings polygon =
       rings({{{-far, -far}, {far, -far}, {far, 1 - far}, {far, far}, {-far, far}}});
@@ -242,7 +242,7 @@ TEST_CASE("the farthest points are exact") {
   CHECK(area == 8 * far * far);
 }
 
-TEST_CASE("points that would need any number of flips are triangulated") {
+TEST_CASE("points that would need more flips than the limit are triangulated") {
   std::vector<PlanePoint> ring;
   for (std::int64_t i = -20000; i <= 20000; ++i) ring.push_back({i, -i * i / 64 - 1});
   for (std::int64_t i = 20000; i >= -20000; --i) ring.push_back({i, i * i / 64 + 1});

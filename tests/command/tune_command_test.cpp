@@ -123,7 +123,7 @@ TEST_CASE_FIXTURE(Ball, "tune prints the threshold that a rule has found") {
   CHECK(!contains(result.out, ", at otsu"));
 }
 
-TEST_CASE_FIXTURE(Ball, "a faster clock makes work shorter, and another core has other costs") {
+TEST_CASE_FIXTURE(Ball, "tune scales work by the clock, and has the costs of each core") {
   const auto work = [&](const std::string& options) {
     return std::stod(words_of(done("tune v.nrrd --iso 100 " + options), ">")[5]);
   };

@@ -52,7 +52,7 @@ void check_numbers(const VertexNumbers& numbers, std::vector<Vertex> vertices) {
 
 }  // namespace
 
-TEST_CASE("vertices that are added are numbered in the order in which they come first") {
+TEST_CASE("added vertices are numbered in the order of their first addition") {
   VertexNumbers numbers;
   CHECK(numbers.find({1, 2, 4}) == VertexNumbers::none);
   CHECK(numbers.add({1, 2, 4}) == 0);

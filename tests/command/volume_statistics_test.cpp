@@ -68,7 +68,7 @@ TEST_CASE("a percentile is the sample that the given share of samples does not e
   CHECK(percentile(statistics, 0.75) == 2);
 }
 
-TEST_CASE("values are those that the file declares") {
+TEST_CASE("statistics have the values that the file declares") {
   class Scaled final : public VolumeReader {
    public:
     Scaled() {

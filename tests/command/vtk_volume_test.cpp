@@ -126,7 +126,7 @@ TEST_CASE_FIXTURE(Folder, "unsupported NumPy is refused by name") {
   check(std::string("\x93NUMPY\2\0\xff\xff\xff\xff", 12), "header has 4294967295 bytes");
 }
 
-TEST_CASE_FIXTURE(Folder, "a project of InVesalius is upside down, and read from files only") {
+TEST_CASE_FIXTURE(Folder, "an InVesalius project has y backwards, and is read from files only") {
   const fs::path project = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes" /
                            "invesalius" / "i16-little.inv3";
   CHECK(read_info(project).spacing_mm == Spacing{0.5, -0.75, 2});

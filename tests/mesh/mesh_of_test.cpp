@@ -78,7 +78,7 @@ TEST_CASE("a level with a high end encloses the samples from low to high, both i
   CHECK(extent(7) == std::array<double, 2>{6.5, 8.5});
 }
 
-TEST_CASE("a sample that is not a number is outside, of a range too") {
+TEST_CASE("NaN samples are outside, also of a range") {
   std::vector<float> samples(27, std::numeric_limits<float>::quiet_NaN());
   samples[13] = 1;
   CHECK(mesh_of(samples, {3, 3, 3}, 0).triangles.size() == 8);

@@ -73,7 +73,7 @@ TEST_CASE("a placement transforms vertices, normals and polygons by its matrix")
   }
 }
 
-TEST_CASE("normals are right for spacings of any size") {
+TEST_CASE("normals depend only on the ratios of the spacing") {
   const auto array = ball<float>();
   MeshOptions options;
   for (const Normals normals : {Normals::surface, Normals::gradient}) {

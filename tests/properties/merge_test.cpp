@@ -147,7 +147,7 @@ TEST_CASE("every combination of sides from 1 to 6 voxels is swept as in the pape
       }
 }
 
-TEST_CASE("the sign of a ring is right for any number of turns") {
+TEST_CASE("spirals of more turns than a byte counts are swept as in the paper") {
   // More turns than a byte can count.
   for (const uint32_t side : {100U, 181U, 260U}) {
     const BitVolume volume = spiral({side, side, 1});

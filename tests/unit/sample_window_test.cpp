@@ -106,7 +106,7 @@ TEST_CASE("a window covers a vertex until its slices have passed") {
   CHECK(window.block.is_intact());
 }
 
-TEST_CASE("the rows of an unfinished slice count for gradients") {
+TEST_CASE("gradients use the rows of an unfinished slice") {
   StartedWindow window({2, 2});
   const uint8_t samples[] = {10, 10, 10, 10, 20, 20, 20, 20, 70, 70};  // two slices and a row
   REQUIRE(window.push(samples, 10) == Status::ok);
@@ -143,7 +143,7 @@ TEST_CASE("a window that has ended can be started again for another pass") {
   }
 }
 
-TEST_CASE("samples may have a stride") {
+TEST_CASE("a sample window accepts samples with a stride") {
   StartedWindow window({2, 2});
   const uint8_t samples[] = {10, 0, 0, 20, 0, 0, 30, 0, 0, 70};
   REQUIRE(window.push(samples, 4, 3) == Status::ok);

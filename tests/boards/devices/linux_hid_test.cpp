@@ -82,7 +82,7 @@ TEST_CASE("a report is read as written, and other bytes are rejected") {
   }
 }
 
-TEST_CASE("all reports make all rows") {
+TEST_CASE("a complete set of reports yields all rows") {
   Receiver receiver(plan);
   for (const Bytes& report : reports_of(rows_of(plan))) receiver.add(report);
   CHECK(receiver.recording.scan.is_whole());

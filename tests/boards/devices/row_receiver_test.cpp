@@ -182,7 +182,7 @@ TEST_CASE("a row is dropped if the buffer has no room at any of its samples") {
   device.accept_row(0);
 }
 
-TEST_CASE("zeros and garbage between frames are no rows") {
+TEST_CASE("zeros and garbage between frames are ignored") {
   Chance chance(1);
   Device device = started();
   for (uint32_t number = 0; number < 500; ++number) {

@@ -201,7 +201,7 @@ TEST_CASE("an extractor in C with explicit slots has a hole for every 16 of them
   CHECK(scan.info().holes == 165 / 16);
 }
 
-TEST_CASE("samples may be strided, and end anywhere") {
+TEST_CASE("extractors in C accept samples with a stride, in portions of any size") {
   const auto samples = make_samples<uint16_t>();
   std::vector<uint16_t> every_third(3 * samples.size());
   for (size_t i = 0; i < samples.size(); ++i) every_third[3 * i] = samples[i];
@@ -237,7 +237,7 @@ TEST_CASE("a scan in C begins even if its sink is busy") {
   CHECK(discmc_extractor_resume(scan.extractor) == DISCMC_OK);
 }
 
-TEST_CASE("an abandoned scan is closed") {
+TEST_CASE("an abandoned scan in C closes its regions and is reported as abandoned") {
   EventLog log;
   Scan scan(discmc_plain_u8, 20000, log);
   scan.start();
@@ -357,7 +357,7 @@ TEST_CASE("a checkpoint in C is restored whole and only by its own kind of extra
   CHECK(status_of(8, [](Config&, uint8_t*) {}) == DISCMC_OK);
 }
 
-TEST_CASE("a suspended scan is not saved") {
+TEST_CASE("a suspended extractor in C is not saved") {
   bool is_busy = false;
   EventLog log([&](uint64_t) { return is_busy; });
   Scan scan(discmc_plain_u8, 20000, log);

@@ -33,7 +33,7 @@ TEST_CASE("a ring of any length stays whole while a thousand slots are left") {
   CHECK(scanned(spiral({120, 120, 1}), 1777).fragments > 0);
 }
 
-TEST_CASE("the number of whole regions for a given number of slots is unchanged") {
+TEST_CASE("the numbers of regions and fragments per number of slots are the recorded ones") {
   struct Known {
     uint32_t slots;
     uint64_t regions, fragments;

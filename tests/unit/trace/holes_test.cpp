@@ -179,7 +179,7 @@ TEST_CASE_TEMPLATE("a hole that closes with too few spare slots is sent as a loo
   }
 }
 
-TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
+TEST_CASE("a hole in a tree stores its incidence, first direction and note") {
   detail::trace::Hole<uint32_t> hole{};
   // Twice eight half-steps along a row of the widest volume, and half an eighth.
   constexpr int32_t last = 16 * 65531 + 1;
