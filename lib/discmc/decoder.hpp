@@ -62,7 +62,7 @@ class Decoder {
   const StreamReport& report() const { return packets_.report(); }
 
  private:
-  // What is in progress between two bytes.
+  // The work in progress between two bytes.
   enum class Stage : uint8_t { collect, whole_regions, records, record, mark, packet_mark };
 
   void clear();
@@ -96,13 +96,13 @@ class Decoder {
   detail::stream::ReadingModel model_;
   detail::stream::Record record_;
   uint32_t sent_words_ = 0;                // words of the record that the sink has accepted
-  uint32_t sent_runs_ = 0;                 // of them runs
+  uint32_t sent_runs_ = 0;                 // runs of the record that the sink has accepted
   detail::stream::RecordNormals normals_;  // of the record
   bool are_normals_ahead_ = false;         // of the next record
   bool is_begin_due_ = false;
   bool is_loss_due_ = false;
   bool is_first_ring_ = true;
-  // What the sink has begun to receive.
+  // The piece that the sink has begun to receive.
   struct Open {
     Incidence incidence;
     bool is_fragment;

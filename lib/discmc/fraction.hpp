@@ -13,11 +13,11 @@
 
 namespace discmc {
 
-/// Where the surface crosses the edge from a voxel to the voxel before it along an axis. entry: of
-/// the voxel, in an event. axis: 0 for x, 1 for y, 2 for z. Units: eighths of the edge, counted
-/// from the voxel before. The number is the middle of the interval that contains the crossing: 2 or
-/// 6 for 2 levels; 1, 3, 5 or 7 for 4. 0: the surface does not cross the edge, or its place is not
-/// known. Then leave the vertex at the midpoint.
+/// Returns the crossing of the surface with the edge from a voxel to the voxel before it along an
+/// axis. entry: of the voxel, in an event. axis: 0 for x, 1 for y, 2 for z. Units: eighths of the
+/// edge, counted from the voxel before. The number is the middle of the interval that contains the
+/// crossing: 2 or 6 for 2 levels; 1, 3, 5 or 7 for 4. 0: the surface does not cross the edge, or
+/// the crossing is unknown. Then leave the vertex at the midpoint.
 constexpr uint32_t fraction_of(uint16_t entry, uint32_t axis) {
   return uint32_t{entry} >> 3 * axis & 7;
 }

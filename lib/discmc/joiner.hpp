@@ -193,7 +193,7 @@ class Joiner {
   Fate fate_ = Fate::none;
   uint32_t arriving_ = detail::join::no_chain;
 
-  // What is being delivered: the next event, and its chain. `holes` complete a region that passes
+  // The current delivery: the next event, and its chain. `holes` complete a region that passes
   // through; a `beginning` belongs to the arriving fragment.
   Outlet outlet_ = Outlet::none;
   Event::Kind next_kind_{};

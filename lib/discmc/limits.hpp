@@ -7,8 +7,8 @@
 
 namespace discmc {
 
-/// What surrounds the volume. In the coordinates below, which count half-steps, `extent` is the
-/// number of voxels along an axis.
+/// The surroundings of the volume. In the coordinates below, which count half-steps, `extent` is
+/// the number of voxels along an axis.
 enum class Border : uint8_t {
   closed,  ///< voxels outside are off, so the surface is closed; coordinates -1 to 2 * extent - 1
   open,    ///< the surface ends at the outermost voxels; coordinates 0 to 2 * extent - 2

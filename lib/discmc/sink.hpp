@@ -64,7 +64,7 @@ struct ApplicationRecord {
 /// For a decoder that accepts the first stream on any channel.
 constexpr uint8_t any_channel = 255;
 
-/// What an encoder needs to describe a scan; the extractor supplies the rest.
+/// The data with which an encoder describes a scan; the extractor supplies the rest.
 struct StreamLabel {
   static constexpr uint8_t max_channel = 63;
 

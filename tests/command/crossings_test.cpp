@@ -1,4 +1,4 @@
-// Where the samples cross the threshold.
+// The points at which samples cross the threshold.
 #include "extraction/crossings.hpp"
 
 #include <discmc/geometry/facet_table.hpp>

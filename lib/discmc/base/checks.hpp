@@ -1,4 +1,4 @@
-// What a build with an address sanitizer checks in the caller's memory. Other builds check nothing.
+// Checks of the caller's memory in a build with an address sanitizer. Other builds check nothing.
 //
 // A sanitizer does not see an overrun from one part of an arena into the next. So the library
 // poisons the slots that are free, and traps if a Limit is broken. Compile the library and every

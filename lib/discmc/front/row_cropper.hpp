@@ -25,8 +25,7 @@ struct CropRange {
   uint32_t count = rest;
   uint32_t step = 1;
 
-  /// How many voxels of an axis of this extent are selected; 0 if the axis has too few. Limit: step
-  /// > 0.
+  /// Returns the number of selected voxels of an axis; 0 if it has too few. Limit: step > 0.
   constexpr uint32_t count_of(uint32_t extent) const {
     const uint32_t available = first < extent ? (extent - first - 1) / step + 1 : 0;
     return count == rest ? available : count <= available ? count : 0;

@@ -27,7 +27,7 @@ namespace discmc {
 /// write to the same memory.
 class RowRing {
  public:
-  /// What the consumer finds next.
+  /// The next item for the consumer.
   enum class Next : uint8_t {
     none,   ///< nothing has arrived yet
     ready,  ///< row() holds the next row
@@ -87,7 +87,7 @@ class RowRing {
 
   // ---- the consumer: a task, or the main loop ----
 
-  /// What comes next. Harmless at any time.
+  /// Returns the next item, and changes nothing.
   Next peek() const;
 
   /// The bytes of the row, which may be changed in place: see packed_samples.hpp. Limit: peek() is

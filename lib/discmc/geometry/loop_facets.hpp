@@ -1,4 +1,4 @@
-// The facets behind a loop: one for all of it, or a fan about the centroid.
+// The facets behind a loop: a single facet, or a fan about the centroid.
 #ifndef DISCMC_GEOMETRY_LOOP_FACETS_HPP
 #define DISCMC_GEOMETRY_LOOP_FACETS_HPP
 

@@ -36,13 +36,13 @@ void sort_by_vertex(const Vertex* vertices, uint32_t* order, uint32_t count) {
   }
 }
 
-// Gives every vertex a name that it shares with its recurrences. Returns false if no vertex recurs.
-bool name_vertices(const Vertex* vertices, uint32_t* order, uint32_t* name, uint32_t count) {
+// Gives each vertex a number that its recurrences share. Returns false if no vertex recurs.
+bool number_vertices(const Vertex* vertices, uint32_t* order, uint32_t* number, uint32_t count) {
   sort_by_vertex(vertices, order, count);
   bool recurs = false;
   for (uint32_t i = 0; i < count; ++i) {
     const bool is_same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
-    name[order[i]] = is_same ? name[order[i - 1]] : order[i];
+    number[order[i]] = is_same ? number[order[i - 1]] : order[i];
     recurs = recurs || is_same;
   }
   return recurs;
@@ -78,25 +78,25 @@ int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count) 
 }
 
 void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingSink& sink) {
-  uint32_t* const depth = scratch;  // by name: the vertex's position in the path, from 1; 0 for
+  uint32_t* const depth = scratch;  // by number: the vertex's position in the path, from 1; 0 for
                                     // none
-  uint32_t* const name = scratch + count;
+  uint32_t* const number = scratch + count;
   if (count < 3) return;
-  if (!name_vertices(vertices, scratch, name, count))
+  if (!number_vertices(vertices, scratch, number, count))
     return sink.accept(sink.context, vertices, count);
   for (uint32_t i = 0; i < count; ++i) depth[i] = 0;
   // No vertex repeats in the path so far. The path overwrites vertices that have been read.
   uint32_t length = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t recurrence = depth[name[i]];
+    const uint32_t recurrence = depth[number[i]];
     if (recurrence != 0) {
       const uint32_t loop = length - (recurrence - 1);
       if (loop >= 3) sink.accept(sink.context, vertices + recurrence - 1, loop);
-      for (; length > recurrence; --length) depth[name[length - 1]] = 0;
+      for (; length > recurrence; --length) depth[number[length - 1]] = 0;
     } else {
       vertices[length] = vertices[i];
-      name[length] = name[i];
-      depth[name[i]] = ++length;
+      number[length] = number[i];
+      depth[number[i]] = ++length;
     }
   }
   if (length >= 3) sink.accept(sink.context, vertices, length);

@@ -18,8 +18,8 @@ struct HeldRun {
   OctahedralNormal normal;
 };
 
-/// What the tree of waiting rings stores in a ring: links, and a note of the nearest side before
-/// it.
+/// The data of a ring for the tree of waiting rings: links, and a note of the nearest side before
+/// the ring.
 struct RingNode {
   uint32_t left, right;
   int32_t crossing;

@@ -17,7 +17,7 @@ class SurfaceDecoder {
   SurfaceDecoder(const SurfaceDecoder&) = delete;
   SurfaceDecoder& operator=(const SurfaceDecoder&) = delete;
 
-  /// As the functions of a Receiver, for one stream.
+  /// Like the functions of a Receiver, for one stream.
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
   void set_packet_passthrough(const RecordsPacketSink& sink) {
     regions_.set_packet_passthrough(sink);

@@ -210,7 +210,7 @@ DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
       model_ = model;
       break;
     }
-    // What does not fit into the rest of this packet goes into the next one.
+    // A record that does not fit into the rest of this packet goes into the next one.
     if (is_encoded && !is_packet_empty()) return false;
     // A distant start with all normals may not fit into one packet.
     if (is_part) words -= words / 4;

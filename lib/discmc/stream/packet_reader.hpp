@@ -14,7 +14,7 @@ class PacketReader {
   /// Begins a stream: the one of the first undamaged packet on this channel.
   void start(uint8_t channel);
 
-  /// What the last byte completed.
+  /// The item that the last byte completed.
   enum class Completed : uint8_t { nothing, records, slices, application, trailer };
   /// Reads a byte. Limit: not is_refused(), and the decoder has processed the packet before.
   Completed add(uint8_t byte);

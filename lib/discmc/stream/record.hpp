@@ -54,7 +54,7 @@ struct Record {
     word[mark + 2] = static_cast<uint32_t>(start.y);
     word[mark + 3] = static_cast<uint32_t>(start.z);
   }
-  /// How many of the first words belong to one ring, and so form one part.
+  /// The number of first words that belong to one ring, and so form one part.
   uint32_t words_of_part(uint32_t limit) const {
     uint32_t words = count > 0 && word[0] == ring_mark ? ring_words : 0;
     while (words < limit && word[words] != ring_mark) ++words;

@@ -24,7 +24,7 @@
 
 namespace discmc::command {
 
-/// What is on in a surface, and the user's name for it.
+/// The selection of a surface, and the user's name for it.
 struct NamedSelection {
   Selection selection;
   std::string given;                    ///< on the command line: "300", "otsu", "5,right lung"
@@ -36,7 +36,7 @@ struct NamedSelection {
   bool has_upper_end() const { return is_label || selection.has_upper_end(); }
 };
 
-/// How a volume is read and its surface extracted, for all commands that do so.
+/// The arguments with which commands read a volume and extract its surface.
 struct VolumeArguments {
   std::vector<NamedSelection> selections;  ///< one per surface
   Border border = Border::closed;
@@ -63,8 +63,8 @@ struct SlabChoice {
   std::uint32_t number, count;
 };
 
-/// Where the vertices of a mesh lie: halfway between voxels, where the samples cross the threshold,
-/// or on the smoothest surface between the voxels.
+/// The positions of a mesh's vertices: halfway between voxels, where the samples cross the
+/// threshold, or on the smoothest surface between the voxels.
 enum class SurfaceKind { merged, interpolated, relaxed };
 
 /// The arguments of `extract`.

@@ -1,5 +1,4 @@
-// What the command prints about a surface or a volume: the tables of `extract` and the lines of
-// `info`.
+// The output about a surface or a volume: the tables of `extract` and the lines of `info`.
 #pragma once
 
 #include <array>

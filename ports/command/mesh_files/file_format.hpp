@@ -8,7 +8,7 @@ namespace discmc::command {
 
 enum class Format { stream, stl, ply, obj, glb, three_mf, vtp, jsonl, csv, json };
 
-/// What a format can hold.
+/// The contents that a format supports.
 struct FormatTraits {
   Format format;
   const char* extension;

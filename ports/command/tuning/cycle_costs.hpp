@@ -5,7 +5,7 @@
 
 namespace discmc::command {
 
-/// What a stream holds.
+/// The contents of a stream.
 enum class Wire { regions, slices };
 
 struct DeviceWork {

@@ -1,4 +1,4 @@
-// What `tune` prints.
+// The output of `tune`.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ struct VolumeInfo : SampleGrid {
   LabelTable labels;
   /// The format and its storage, for people: "NRRD, gzip".
   std::string format;
-  /// What the reader assumed or left out. Written by note().
+  /// The assumptions and omissions of the reader. Written by note().
   std::vector<std::string> notes;
 };
 

@@ -13,7 +13,7 @@
 
 namespace discmc::meshing {
 
-/// What a SurfaceBuilder keeps of regions: polygons, or only counts, which need no memory.
+/// The result that a SurfaceBuilder keeps: polygons, or only counts, which need no memory.
 enum class Kept { polygons, counts };
 
 /// Makes polygons of the events of an extractor or a decoder. Accepts every event. Limit: loose

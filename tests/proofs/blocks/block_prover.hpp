@@ -21,7 +21,7 @@ constexpr uint32_t rows = side * side;
 constexpr uint32_t row_values = 1U << side;
 constexpr uint32_t slice_values = 1U << side * side;  ///< number of values of a slice
 
-/// What all threads share to check blocks.
+/// The tables with which all threads check blocks.
 struct Tables {
   Border border;
   Lattice lattice;
