@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "jobs/ordered_pipeline.hpp"
+#include "jobs/parallel.hpp"
 #include "surface/point.hpp"
 
 namespace discmc::meshing {

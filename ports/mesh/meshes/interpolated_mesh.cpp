@@ -7,6 +7,7 @@
 
 #include "intersections.hpp"
 #include "jobs/ordered_pipeline.hpp"
+#include "jobs/parallel.hpp"
 #include "outline.hpp"
 #include "refinement.hpp"
 

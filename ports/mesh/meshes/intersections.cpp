@@ -7,6 +7,7 @@
 
 #include "box_tree.hpp"
 #include "jobs/ordered_pipeline.hpp"
+#include "jobs/parallel.hpp"
 #include "triangle_intersection.hpp"
 
 namespace discmc::meshing {

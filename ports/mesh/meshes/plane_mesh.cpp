@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "jobs/ordered_pipeline.hpp"
+#include "jobs/parallel.hpp"
 #include "plane_faces.hpp"
 
 namespace discmc::meshing {

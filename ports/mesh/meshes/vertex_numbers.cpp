@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "jobs/ordered_pipeline.hpp"
+#include "jobs/parallel.hpp"
 
 namespace discmc::meshing {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "jobs/ordered_pipeline.hpp"
+#include "jobs/parallel.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/outline.hpp"
 #include "surface/components.hpp"

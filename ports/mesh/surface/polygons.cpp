@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "jobs/ordered_pipeline.hpp"
+#include "jobs/parallel.hpp"
 
 namespace discmc::meshing {
 
