@@ -62,7 +62,7 @@ TEST_CASE("a stream truncated at any byte is incomplete and yields the pieces wh
     const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
     const std::vector<Events> brought = events_by_frame(frames);
     size_t frame = 0, end = 0, whole = 0;
-    const Events events = decode_cutting(
+    const Events decoded = decode_cutting(
         joined(frames),
         [&](size_t count, const Events& events, const StreamReport& report, bool is_lost) {
           if (count == end + frames[frame].size()) {
@@ -80,7 +80,7 @@ TEST_CASE("a stream truncated at any byte is incomplete and yields the pieces wh
                                !events.back().is(Event::Kind::skipped);
           REQUIRE(is_lost == is_open);
         });
-    CHECK(events == sample.events);
+    CHECK(decoded == sample.events);
   }
 }
 
