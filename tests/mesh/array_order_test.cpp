@@ -63,12 +63,12 @@ void check_all_orders(const Array<Sample>& array, const Level& level, const Mesh
 
 }  // namespace
 
-TEST_CASE("arrays in any order of axes, also backwards, have the same surface") {
+TEST_CASE("arrays in any order of axes, reversed axes included, yield the same surface") {
   for (const auto& array : bit_volumes()) check_all_orders(array, 1, {});
   check_all_orders(ball<std::int16_t>(), ball_level, {});
 }
 
-TEST_CASE("arrays of double in any order of axes are interpolated equally") {
+TEST_CASE("interpolation of double arrays yields the same mesh in any order of axes") {
   const auto array = ball<double>();
   MeshOptions options;
   options.interpolates = true;
@@ -79,7 +79,7 @@ TEST_CASE("arrays of double in any order of axes are interpolated equally") {
   CHECK(measures_of(mesh).volume == doctest::Approx(measures_of(expected).volume).epsilon(0.001));
 }
 
-TEST_CASE("arrays in any order of axes have the same spacing, normals and polygons") {
+TEST_CASE("arrays in any order of axes yield the same spacing, normals and polygons") {
   const auto array = ball<float>();
   MeshOptions options;
   options.spacing = {0.5, 2, 3};
@@ -105,7 +105,7 @@ TEST_CASE("arrays in any order of axes have the same spacing, normals and polygo
   }
 }
 
-TEST_CASE("labels have the same measures in any order of axes") {
+TEST_CASE("label meshes have the same measures in any order of axes") {
   const auto array = array_of<std::uint16_t>(
       {8, 9, 10}, [](auto x, auto y, auto z) { return (x / 3 + 2 * (y / 4) + z / 5) % 4; });
   const auto expected = label_meshes(array.view());
@@ -120,7 +120,7 @@ TEST_CASE("labels have the same measures in any order of axes") {
   }
 }
 
-TEST_CASE("an array longer than a slice is swept along its long axis") {
+TEST_CASE("an array with one long axis is swept along that axis") {
   std::vector<std::uint8_t> samples(40000, 0);
   samples[39999] = 1;
   const Mesh along_x = mesh_of(samples, {40000, 1, 1}, 1);

@@ -15,7 +15,7 @@ Array<std::int32_t> blocks() {
 
 }  // namespace
 
-TEST_CASE("each label has the mesh of its own mask, in ascending order without label 0") {
+TEST_CASE("each label has the mesh of its own mask, in ascending order of labels without label 0") {
   const auto array = blocks();
   const std::vector<LabelMesh> meshes = label_meshes(array.view());
   std::set<std::int32_t> labels(array.samples.begin(), array.samples.end());
@@ -31,7 +31,7 @@ TEST_CASE("each label has the mesh of its own mask, in ascending order without l
   }
 }
 
-TEST_CASE("neighbouring labels share the vertices of their wall exactly") {
+TEST_CASE("meshes of neighbouring labels have exactly the same vertices on their common wall") {
   const auto array =
       array_of<std::uint8_t>({6, 5, 5}, [](auto x, auto, auto) { return x < 3 ? 1 : 2; });
   for (const double smoothing : {0.0, 1.0}) {
@@ -53,7 +53,7 @@ TEST_CASE("neighbouring labels share the vertices of their wall exactly") {
   }
 }
 
-TEST_CASE("only the requested labels are extracted, including 0 and those beyond 2^63") {
+TEST_CASE("only requested labels are extracted, including label 0 and labels above 2^63") {
   const auto array = blocks();
   const auto meshes = label_meshes(array.view(), {}, {3, -1, 77});
   REQUIRE(meshes.size() >= 2);

@@ -22,7 +22,7 @@ Mesh built(const Array<Sample>& array, const Level& level, const MeshOptions& op
 
 }  // namespace
 
-TEST_CASE("slices added one by one yield the mesh of the array") {
+TEST_CASE("slices added one by one yield the same mesh as the whole array") {
   MeshOptions options;
   for (const auto& array : bit_volumes())
     CHECK(triangles_of(built(array, 1, options)) == triangles_of(mesh_of(array.view(), 1)));
@@ -43,7 +43,7 @@ TEST_CASE("a builder without slices yields an empty mesh") {
   CHECK(MeshBuilder(4, 5, 1).finish().triangles.empty());
 }
 
-TEST_CASE("a builder that has finished or was moved from refuses every call") {
+TEST_CASE("a finished or moved-from builder refuses every call") {
   const std::vector<float> slice(20);
   MeshBuilder builder(4, 5, 1);
   builder.add_slice(slice.data());
@@ -57,7 +57,7 @@ TEST_CASE("a builder that has finished or was moved from refuses every call") {
   }
 }
 
-TEST_CASE("a builder can be moved between slices") {
+TEST_CASE("a builder moved between slices continues its mesh") {
   const auto array = array_of(discmc::reference::box({5, 5, 2}, {1, 1, 0}, {3, 3, 1}));
   MeshBuilder first(5, 5, 1);
   first.add_slice(array.samples.data());

@@ -40,7 +40,7 @@ void check_same(const discmc_mesh& found, const Mesh& expected) {
 
 }  // namespace
 
-TEST_CASE("in C, arrays of each type have the same mesh as in C++") {
+TEST_CASE("arrays of each sample type have the same mesh in C as in C++") {
   const auto whole = ball<std::int8_t>();
   const Mesh expected = mesh_of(whole.view(), ball_level);
   const auto check = [&](auto zero, std::int32_t type) {
@@ -67,7 +67,7 @@ TEST_CASE("in C, arrays of each type have the same mesh as in C++") {
   check(double{}, DISCMC_SAMPLES_F64);
 }
 
-TEST_CASE("in C, each option has the same effect as in C++") {
+TEST_CASE("each option has the same effect in C as in C++") {
   const auto array = ball<float>();
   constexpr double level = 25;  // crosses the border
   discmc_samples samples = described(array, DISCMC_SAMPLES_F32);
@@ -118,7 +118,7 @@ TEST_CASE("in C, each option has the same effect as in C++") {
   check(in_c, options);
 }
 
-TEST_CASE("in C, a range includes both ends") {
+TEST_CASE("a range of levels in C includes both ends") {
   const auto array = ball<std::uint16_t>();
   const discmc_samples samples = described(array, DISCMC_SAMPLES_U16);
   discmc_mesh mesh;
@@ -127,7 +127,7 @@ TEST_CASE("in C, a range includes both ends") {
   discmc_mesh_free(&mesh);
 }
 
-TEST_CASE("in C, each label has the same mesh as in C++") {
+TEST_CASE("each label has the same mesh in C as in C++") {
   const auto array = array_of<std::uint8_t>(
       {8, 8, 8}, [](auto x, auto y, auto z) { return x / 4 + y / 4 + z / 4; });
   const discmc_samples samples = described(array, DISCMC_SAMPLES_U8);
@@ -149,7 +149,7 @@ TEST_CASE("in C, each label has the same mesh as in C++") {
   }
 }
 
-TEST_CASE("in C, progress is called for every slice, and a result of 0 cancels") {
+TEST_CASE("progress in C is called for every slice, and a result of 0 cancels") {
   const auto array = ball<float>();
   const discmc_samples samples = described(array, DISCMC_SAMPLES_F32);
   int left = 1000;
@@ -170,7 +170,7 @@ TEST_CASE("in C, progress is called for every slice, and a result of 0 cancels")
   discmc_mesh_free(&mesh);
 }
 
-TEST_CASE("in C, an error has a code and a message, and no exception escapes") {
+TEST_CASE("an error in C has a code and a message, and no exception escapes") {
   const auto array = ball<float>();
   const discmc_samples good = described(array, DISCMC_SAMPLES_F32);
   const auto message_of = [](const discmc_samples& samples, const discmc_mesh_options& options,
@@ -215,7 +215,7 @@ TEST_CASE("in C, an error has a code and a message, and no exception escapes") {
   CHECK(discmc_mesh_of(&good, 1, infinity, &options, &mesh) == DISCMC_MESH_FAILED);
 }
 
-TEST_CASE("null pointers are reported by name, and freeing null has no effect") {
+TEST_CASE("null pointers are reported by argument name, and freeing a null pointer has no effect") {
   discmc_mesh mesh;
   CHECK(discmc_mesh_of(nullptr, 1, infinity, nullptr, &mesh) == DISCMC_MESH_BAD_ARGUMENT);
   CHECK(std::string(mesh.message) == "the pointer to discmc_samples is null");

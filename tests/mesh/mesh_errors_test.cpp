@@ -40,8 +40,7 @@ bool has(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE(
-    "wrong extents, a wrong number of samples and a null pointer are refused with the reason") {
+TEST_CASE("wrong extents, a wrong number of samples or a null pointer is refused with the reason") {
   CHECK(mesh_error({0, 3, 3}) == "an extent is 0; give 1 to 1073741823 voxels");
   CHECK(has(mesh_error({3, -3, 3}), "-3"));
   CHECK(mesh_error({3, 3, 4}) == "the vector has 27 samples, and the extents 3 x 3 x 4 need 36");
@@ -58,12 +57,12 @@ TEST_CASE(
   CHECK(has(text, "divide the array"));
 }
 
-TEST_CASE("a level of NaN, and a range that ends below its beginning, are refused with the value") {
+TEST_CASE("a NaN level or a reversed range is refused, and the error contains the value") {
   CHECK(has(mesh_error({3, 3, 3}, {5, 2}), "from 5 to 2"));
   CHECK(has(mesh_error({3, 3, 3}, std::nan("")), "nan"));
 }
 
-TEST_CASE("options out of range are named") {
+TEST_CASE("options out of range are refused by name") {
   CHECK(has(refusal([](auto& options) { options.spacing[1] = 0; }), "spacing is 1, 0, 1;"));
   CHECK(has(refusal([](auto& options) { options.spacing[1] = 1e-7; }), "1, 1e-07, 1"));
   CHECK(has(refusal([](auto& options) { options.spacing[2] = 1e7; }), "1e-6 to 1e6"));
@@ -80,7 +79,7 @@ TEST_CASE("options out of range are named") {
       "max_error is inf"));
 }
 
-TEST_CASE("options that contradict each other are named") {
+TEST_CASE("contradictory options are refused by name") {
   CHECK(has(refusal([](auto& options) { options.polygons = options.interpolates = true; }),
             "or the polygons"));
   CHECK(has(refusal([](auto& options) { options.polygons = options.relaxes = true; }),
@@ -103,7 +102,8 @@ TEST_CASE("options that contradict each other are named") {
             "extract each by itself"));
 }
 
-TEST_CASE("labels refuse samples with fractions, gradients, and interpolation without smoothing") {
+TEST_CASE(
+    "labels refuse fractional samples, gradient normals, and interpolation without smoothing") {
   const std::vector<float> fractions(27);
   CHECK(has(message_of([&] { return label_meshes({fractions, {3, 3, 3}}); }), "integer type"));
   MeshOptions options;
@@ -117,7 +117,8 @@ TEST_CASE("labels refuse samples with fractions, gradients, and interpolation wi
   CHECK(has(label_error(options), "walls"));
 }
 
-TEST_CASE("a builder refuses options that need the slices twice, other types, and wrong extents") {
+TEST_CASE(
+    "a builder refuses options that read slices twice, other sample types, and wrong extents") {
   MeshOptions options;
   options.smoothing = 1;
   CHECK(has(message_of([&] { return MeshBuilder(3, 3, 1, options); }),

@@ -5,7 +5,7 @@
 using namespace discmc;
 using namespace mesh_tests;
 
-TEST_CASE("one voxel has the octahedron of its half-steps as surface") {
+TEST_CASE("a single voxel has an octahedron as its surface") {
   std::vector<int> samples(27);
   samples[13] = 5;
   const Mesh mesh = mesh_of(samples, {3, 3, 3}, 5);
@@ -19,7 +19,7 @@ TEST_CASE("one voxel has the octahedron of its half-steps as surface") {
   CHECK(measures.centre[0] == doctest::Approx(1));
 }
 
-TEST_CASE_TEMPLATE("samples of every type have the same triangles", Sample, std::int8_t,
+TEST_CASE_TEMPLATE("equal samples of every type yield the same triangles", Sample, std::int8_t,
                    std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
                    std::int64_t, std::uint64_t, float, double, long long, char) {
   // Whole numbers, so that no type rounds them.
@@ -39,7 +39,7 @@ TEST_CASE_TEMPLATE("samples of every type have the same triangles", Sample, std:
   CHECK(measures_of(mesh).volume == doctest::Approx(measures_of(of_whole).volume));
 }
 
-TEST_CASE("every volume of the oracle has a closed mesh that turns outwards") {
+TEST_CASE("every test volume has a closed mesh with outward triangles") {
   for (const auto& array : bit_volumes()) {
     const Mesh mesh = mesh_of(array.view(), 1);
     const MeshMeasures measures = measures_of(mesh);
@@ -49,7 +49,7 @@ TEST_CASE("every volume of the oracle has a closed mesh that turns outwards") {
   }
 }
 
-TEST_CASE("vertices of an interpolated ball lie within the tolerance of the true sphere") {
+TEST_CASE("vertices of an interpolated ball are within the tolerance of the exact sphere") {
   const auto array = ball<double>();
   MeshOptions options;
   options.interpolates = true;
@@ -65,7 +65,7 @@ TEST_CASE("vertices of an interpolated ball lie within the tolerance of the true
   CHECK(measures_of(mesh).volume == doctest::Approx(sphere).epsilon(0.02));
 }
 
-TEST_CASE("a level with a high end encloses the samples from low to high, both included") {
+TEST_CASE("a range of levels encloses the samples from low to high, both ends included") {
   const auto array = array_of<std::int16_t>(
       {9, 3, 3}, [](auto x, auto y, auto z) { return y == 1 && z == 1 ? x : -1; });
   const auto extent = [&](const Level& level) {
@@ -78,14 +78,14 @@ TEST_CASE("a level with a high end encloses the samples from low to high, both i
   CHECK(extent(7) == std::array<double, 2>{6.5, 8.5});
 }
 
-TEST_CASE("NaN samples are outside, also of a range") {
+TEST_CASE("NaN samples are outside for a level and for a range") {
   std::vector<float> samples(27, std::numeric_limits<float>::quiet_NaN());
   samples[13] = 1;
   CHECK(mesh_of(samples, {3, 3, 3}, 0).triangles.size() == 8);
   CHECK(mesh_of(samples, {3, 3, 3}, {0, 2}).triangles.size() == 8);
 }
 
-TEST_CASE("several levels in one pass are the meshes of each, in their order") {
+TEST_CASE("several levels in one pass yield the mesh of each level, in the given order") {
   const auto array = ball<float>();
   for (const bool interpolates : {false, true}) {
     MeshOptions options;
@@ -99,14 +99,14 @@ TEST_CASE("several levels in one pass are the meshes of each, in their order") {
   CHECK(meshes_of(array.view(), {}).empty());
 }
 
-TEST_CASE("a level that no sample reaches has an empty mesh") {
+TEST_CASE("a level above all samples yields an empty mesh") {
   const Mesh mesh = mesh_of(std::vector<int>(27), {3, 3, 3}, 1);
   CHECK(mesh.vertices.empty());
   CHECK(mesh.triangles.empty());
   CHECK(measures_of(mesh).area == 0);
 }
 
-TEST_CASE("an open border ends the surface at the array, a closed one closes it") {
+TEST_CASE("a mesh is open at the ends of the array with an open border, and closed otherwise") {
   const std::vector<int> samples(8, 1);
   MeshOptions options;
   CHECK(measures_of(mesh_of(samples, {2, 2, 2}, 1)).is_closed);
@@ -116,7 +116,7 @@ TEST_CASE("an open border ends the surface at the array, a closed one closes it"
   CHECK(mesh_of(half, {2, 2, 2}, 1, options).triangles.size() == 2);
 }
 
-TEST_CASE("decimation makes as many triangles as were asked for, and keeps the mesh closed") {
+TEST_CASE("decimation yields the requested number of triangles and a closed mesh") {
   const auto array = ball<float>();
   MeshOptions options;
   options.interpolates = true;
@@ -129,7 +129,7 @@ TEST_CASE("decimation makes as many triangles as were asked for, and keeps the m
   CHECK(measures_of(mesh).volume == doctest::Approx(measures_of(whole).volume).epsilon(1e-5));
 }
 
-TEST_CASE("smoothing removes the steps of a mask, and keeps its volume") {
+TEST_CASE("smoothing removes the steps of a mask and preserves the volume") {
   const auto mask = array_of<std::uint8_t>(ball_size, [](auto x, auto y, auto z) {
     const std::array<double, 3> voxel{static_cast<double>(x), static_cast<double>(y),
                                       static_cast<double>(z)};
@@ -146,7 +146,7 @@ TEST_CASE("smoothing removes the steps of a mask, and keeps its volume") {
   CHECK(measures.area == doctest::Approx(area).epsilon(0.03));
 }
 
-TEST_CASE("normals are unit vectors that point outwards, of the surface and of the samples") {
+TEST_CASE("surface normals and gradient normals are unit vectors that point outwards") {
   const auto array = ball<float>();
   for (const Normals normals : {Normals::surface, Normals::gradient})
     for (const bool interpolates : {false, true}) {
@@ -164,7 +164,7 @@ TEST_CASE("normals are unit vectors that point outwards, of the surface and of t
     }
 }
 
-TEST_CASE("smoothing by a tiny distance keeps the mesh") {
+TEST_CASE("smoothing by a tiny distance leaves the mesh unchanged") {
   MeshOptions options;
   options.smoothing = 1e-300;
   const std::vector<int> samples(27, 1);
@@ -185,7 +185,7 @@ TEST_CASE("gradient normals of infinite samples and levels are unit vectors") {
 }
 
 TEST_CASE(
-    "a Gaussian far wider than the array leaves a closed mesh with the volume of the voxels") {
+    "a Gaussian far wider than the array yields a closed mesh with the volume of the voxels") {
   const auto array = ball<std::uint8_t>();
   std::vector<std::uint8_t> mask;
   double voxels = 0;

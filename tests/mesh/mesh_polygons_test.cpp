@@ -46,7 +46,8 @@ void check_polygons(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("the polygons are plane, turn as their normals, and have the area of the triangles") {
+TEST_CASE(
+    "polygons are plane, have the orientation of their normals and the area of their triangles") {
   MeshOptions options;
   options.polygons = true;
   for (const auto& array : bit_volumes()) {
@@ -58,7 +59,7 @@ TEST_CASE("the polygons are plane, turn as their normals, and have the area of t
   check_polygons(mesh_of(ball<float>().view(), ball_level, options));
 }
 
-TEST_CASE("a box with a pit has a face with a hole") {
+TEST_CASE("a box with a pit has a polygon with a hole") {
   auto array = array_of<std::uint8_t>({12, 12, 8}, [](auto x, auto y, auto z) {
     const bool is_in_pit = x >= 5 && x < 7 && y >= 5 && y < 7 && z >= 4;
     return x >= 1 && x < 11 && y >= 1 && y < 11 && z >= 1 && z < 7 && !is_in_pit ? 1 : 0;
@@ -73,7 +74,7 @@ TEST_CASE("a box with a pit has a face with a hole") {
   CHECK(with_hole == 1);
 }
 
-TEST_CASE("polygons are returned only on request") {
+TEST_CASE("a mesh contains polygons only on request") {
   const Mesh mesh = mesh_of(ball<float>().view(), ball_level);
   CHECK(mesh.polygons.size() == 0);
   CHECK(mesh.polygons.ring_begin.size() == 1);

@@ -7,7 +7,7 @@
 using namespace discmc;
 using namespace mesh_tests;
 
-TEST_CASE("progress counts slices in order, then names the steps that follow") {
+TEST_CASE("progress counts slices in order, then names the later steps") {
   const auto array = ball<float>();
   for (const unsigned threads : {1U, 3U}) {
     std::vector<std::string> steps;
@@ -37,7 +37,8 @@ TEST_CASE("progress counts slices in order, then names the steps that follow") {
   }
 }
 
-TEST_CASE("progress that returns false cancels at any call, in any number of threads") {
+TEST_CASE(
+    "a progress callback that returns false cancels at any call, with any number of threads") {
   const auto array = ball<float>();
   for (const unsigned threads : {1U, 4U})
     for (int calls = 1;; ++calls) {
@@ -56,7 +57,7 @@ TEST_CASE("progress that returns false cancels at any call, in any number of thr
     }
 }
 
-TEST_CASE("exceptions of progress reach the caller unchanged") {
+TEST_CASE("exceptions thrown by a progress callback reach the caller unchanged") {
   struct Mine {};
   MeshOptions options;
   options.progress = [](const MeshProgress&) -> bool { throw Mine{}; };
@@ -66,7 +67,7 @@ TEST_CASE("exceptions of progress reach the caller unchanged") {
   CHECK_THROWS_AS((void)label_meshes({std::vector<int>(27, 1), {3, 3, 3}}, options), Mine);
 }
 
-TEST_CASE("progress of labels counts the slices that are swept, in any order of axes") {
+TEST_CASE("progress of label extraction counts the swept slices, in any order of axes") {
   const std::vector<std::uint8_t> labels(2 * 3 * 7, 1);
   MeshOptions options;
   std::uint64_t last = 0;

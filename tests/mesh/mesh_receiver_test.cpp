@@ -53,7 +53,7 @@ std::size_t push(MeshReceiver& receiver, const Bytes& bytes, std::size_t chunk) 
 
 }  // namespace
 
-TEST_CASE("streams of either kind, in any portions, are the mesh of the volume") {
+TEST_CASE("streams of either kind, in portions of any size, yield the mesh of the volume") {
   for (const Bytes& bytes : streams())
     for (const std::size_t chunk : {std::size_t{1}, std::size_t{100}, bytes.size()}) {
       MeshReceiver receiver;
@@ -64,7 +64,7 @@ TEST_CASE("streams of either kind, in any portions, are the mesh of the volume")
     }
 }
 
-TEST_CASE("the mesh so far grows while the scan runs, and is closed at its end") {
+TEST_CASE("a partial mesh grows during the scan and is closed at the end of the scan") {
   for (const Bytes& bytes : streams()) {
     MeshReceiver receiver;
     std::size_t triangles = 0, grew = 0;
@@ -81,7 +81,7 @@ TEST_CASE("the mesh so far grows while the scan runs, and is closed at its end")
   }
 }
 
-TEST_CASE("each scan on a link ends at its trailer, and the next begins a new mesh") {
+TEST_CASE("each scan on a link ends at its trailer, and the next scan begins a new mesh") {
   Bytes link;
   for (const std::uint16_t scan : {std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{3}}) {
     const Bytes bytes = region_stream(scan);
@@ -98,7 +98,7 @@ TEST_CASE("each scan on a link ends at its trailer, and the next begins a new me
   CHECK(scan == 3);
 }
 
-TEST_CASE("a lost packet is in the report, and the mesh is that of the polygons that arrived") {
+TEST_CASE("a lost packet is reported, and the mesh contains the polygons that arrived") {
   for (Bytes bytes : streams()) {
     const auto middle = std::find(bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2),
                                   bytes.end(), std::uint8_t{0});
@@ -118,7 +118,7 @@ TEST_CASE("a lost packet is in the report, and the mesh is that of the polygons 
   }
 }
 
-TEST_CASE("finish() ends a scan whose trailer is lost, and the next push begins another") {
+TEST_CASE("finish() ends a scan without a trailer, and the next push() begins another scan") {
   Bytes bytes = region_stream();
   const auto last = std::find(bytes.rbegin() + 1, bytes.rend(), std::uint8_t{0});
   MeshReceiver receiver;
@@ -131,7 +131,7 @@ TEST_CASE("finish() ends a scan whose trailer is lost, and the next push begins 
   CHECK(receiver.report().is_complete());
 }
 
-TEST_CASE("bytes that are no stream make no mesh, and a later stream is received") {
+TEST_CASE("bytes without a valid stream yield no mesh, and a later stream is received") {
   MeshReceiver receiver;
   test::Chance chance(5);
   Bytes noise(5000);
@@ -144,7 +144,7 @@ TEST_CASE("bytes that are no stream make no mesh, and a later stream is received
   check_complete(receiver);
 }
 
-TEST_CASE("a receiver of a channel ignores the others") {
+TEST_CASE("a receiver of a channel ignores other channels") {
   StreamHeader header = test::header_of(volume());
   header.channel = 3;
   const Bytes other = test::encode(test::events_of(volume()), header);
@@ -156,7 +156,7 @@ TEST_CASE("a receiver of a channel ignores the others") {
   check_complete(receiver);
 }
 
-TEST_CASE("the spacing and the placement of a stream place its mesh, unless another is given") {
+TEST_CASE("the spacing and placement in a stream apply to the mesh unless the caller sets others") {
   StreamHeader header = test::header_of(volume());
   header.spacing_nm[0] = 2000000;
   const Bytes bytes = test::encode(test::events_of(volume()), header);
@@ -187,7 +187,8 @@ TEST_CASE("the spacing and the placement of a stream place its mesh, unless anot
   CHECK(measures_of(of_placed.mesh()).least[2] >= 100 - 2);
 }
 
-TEST_CASE("a received mesh has polygons and normals, but nothing that needs samples") {
+TEST_CASE(
+    "a received mesh can have polygons and normals, but options that read samples are refused") {
   MeshReceiver receiver;
   const Bytes bytes = region_stream();
   CHECK(push(receiver, bytes, bytes.size()) == 1);
@@ -203,7 +204,7 @@ TEST_CASE("a received mesh has polygons and normals, but nothing that needs samp
                        std::invalid_argument);
 }
 
-TEST_CASE("a received mesh is interpolated by the fractions in its stream") {
+TEST_CASE("a received mesh is interpolated if the stream contains fractions") {
   const auto array = ball<std::uint8_t>();
   SliceEncoderConfig config;
   config.limits = {20, 22};
@@ -232,7 +233,8 @@ TEST_CASE("a received mesh is interpolated by the fractions in its stream") {
   CHECK(farthest < 0.3);  // 0.5 of midpoints
 }
 
-TEST_CASE("a received mesh is relaxed as that of the volume is, whatever the kind of stream") {
+TEST_CASE(
+    "relaxation of a received mesh yields the mesh of the volume, for either kind of stream") {
   const reference::BitVolume torus = reference::torus({30, 28, 12}, 18, 7);
   MeshOptions options;
   options.relaxes = true;
@@ -256,7 +258,7 @@ TEST_CASE("a stream of an unknown version is refused") {
   CHECK_THROWS_AS((void)push(receiver, bytes, 100), std::runtime_error);
 }
 
-TEST_CASE("a push without bytes keeps the mesh of the scan that has ended") {
+TEST_CASE("a push() of zero bytes keeps the mesh of the finished scan") {
   const Bytes bytes = region_stream();
   MeshReceiver receiver;
   push(receiver, bytes, bytes.size());

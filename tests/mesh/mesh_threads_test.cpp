@@ -7,7 +7,7 @@
 using namespace discmc;
 using namespace mesh_tests;
 
-TEST_CASE("any number of threads yields the same mesh") {
+TEST_CASE("a mesh is the same for any number of threads") {
   auto arrays = bit_volumes();
   arrays.push_back(array_of(discmc::reference::random({40, 40, 70}, 128, 9)));
   MeshOptions options;
@@ -26,7 +26,7 @@ TEST_CASE("any number of threads yields the same mesh") {
   }
 }
 
-TEST_CASE("any number of threads interpolates equally") {
+TEST_CASE("an interpolated mesh is the same for any number of threads") {
   std::minstd_rand random(5);
   std::vector<std::uint8_t> samples(40 * 40 * 70);
   for (std::uint8_t& sample : samples) sample = static_cast<std::uint8_t>(random() % 256);
@@ -39,7 +39,7 @@ TEST_CASE("any number of threads interpolates equally") {
   CHECK(mesh.triangles == expected.triangles);
 }
 
-TEST_CASE("more threads than the system has are allowed") {
+TEST_CASE("more threads than processor cores are allowed") {
   MeshOptions options;
   const std::vector<int> samples(27, 1);
   for (const unsigned threads : {100U, 1U << 31, std::numeric_limits<unsigned>::max()}) {

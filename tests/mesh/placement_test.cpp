@@ -19,7 +19,8 @@ std::array<double, 3> placed(const Matrix& matrix, const std::array<double, 3>& 
 
 }  // namespace
 
-TEST_CASE("the spacing scales the mesh, and a negative spacing mirrors it without inverting it") {
+TEST_CASE(
+    "the spacing scales the mesh, and a negative spacing mirrors the mesh with outward triangles") {
   const auto array = ball<float>();
   const double volume = measures_of(mesh_of(array.view(), ball_level)).volume;
   MeshOptions options;
@@ -33,7 +34,7 @@ TEST_CASE("the spacing scales the mesh, and a negative spacing mirrors it withou
   }
 }
 
-TEST_CASE("a placement transforms vertices, normals and polygons by its matrix") {
+TEST_CASE("a placement matrix transforms vertices, normals and polygons") {
   const auto array = ball<float>();
   const Mesh lattice = mesh_of(array.view(), ball_level);
   const double c = 0.6, s = 0.8;  // a rotation about z
@@ -73,7 +74,7 @@ TEST_CASE("a placement transforms vertices, normals and polygons by its matrix")
   }
 }
 
-TEST_CASE("normals depend only on the ratios of the spacing") {
+TEST_CASE("normals depend only on the ratios of the spacings") {
   const auto array = ball<float>();
   MeshOptions options;
   for (const Normals normals : {Normals::surface, Normals::gradient}) {

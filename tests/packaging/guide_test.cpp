@@ -285,7 +285,7 @@ Status end_scan(Device& device, CheckpointStore& store, const ByteOutput& output
 
 }  // namespace
 
-TEST_CASE("the guide's stream with fractions is sent") {
+TEST_CASE("the guide's example sends a stream with fractions") {
   Bytes bytes;
   REQUIRE(begin_fractions({&bytes, append}));
   Ball ball;
@@ -376,7 +376,7 @@ TEST_CASE("the guide's filter removes most of the noise from the stream") {
   CHECK(bytes.size() - clean < (stream_of(noisy).size() - clean) / 2);
 }
 
-TEST_CASE("the guide's normal is that of the run, or of its polygon for anisotropic voxels") {
+TEST_CASE("the guide's normal is that of the run, or of the polygon if voxels are anisotropic") {
   StreamHeader header;
   header.spacing_nm[0] = header.spacing_nm[1] = 500000;
   header.spacing_nm[2] = 1000000;
@@ -413,7 +413,7 @@ TEST_CASE("the guide's task pushes the rows of the guide's interrupt and skips l
   CHECK(extractor.statistics().skipped_rows == 3);
 }
 
-TEST_CASE("the guide's part of a volume and its threshold per row are extracted") {
+TEST_CASE("the guide's examples extract part of a volume and apply a threshold per row") {
   static uint8_t memory[Extractor16::minimum_bytes(limits) + 16 * 1024];
   Bytes bytes;
   Encoder encoder;
@@ -444,7 +444,7 @@ TEST_CASE("the guide's part of a volume and its threshold per row are extracted"
   CHECK(bytes == stream_of(ball));
 }
 
-TEST_CASE("the guide's recipe for power failures yields the stream of an uninterrupted scan") {
+TEST_CASE("the guide's example of power failures yields the stream of an uninterrupted scan") {
   Ball ball;
   const Bytes whole = stream_of(ball);
 
@@ -520,7 +520,7 @@ std::vector<std::string> blocks_of(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("every C and C++ block of the guide is part of a built program") {
+TEST_CASE("every C and C++ code block of the guide is part of a built program") {
   std::vector<std::string> programs{lines_of(root / "tests/packaging/guide_test.cpp"),
                                     lines_of(root / "tests/packaging/mesh_guide_test.cpp")};
   for (const auto& file : std::filesystem::directory_iterator(root / "examples"))

@@ -34,7 +34,7 @@ Names sources_named_in(const std::string& file, const std::string& prefix) {
 
 }  // namespace
 
-TEST_CASE("CMake and Meson compile exactly the sources of the library") {
+TEST_CASE("CMake and Meson compile exactly the source files of the library") {
   const Names sources = sources_in_lib();
   CHECK(sources.size() > 40);
   CHECK(sources_named_in("lib/CMakeLists.txt", "\\n  ") == sources);

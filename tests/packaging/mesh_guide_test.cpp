@@ -81,7 +81,7 @@ int slices_read = 0;
 
 }  // namespace
 
-TEST_CASE("the page on C++: options, strides and slices yield meshes of the same ball") {
+TEST_CASE("the page on C++: options, strides and slices yield meshes of the same volume") {
   const std::vector<float> samples = ball();
   const double volume = measures_of(mesh_of(samples, {nx, ny, nz}, 500)).volume;
   const Mesh placed = placed_mesh(samples);
@@ -122,7 +122,7 @@ TEST_CASE("the page on C++: a receiver returns the mesh of each scan") {
   CHECK(receive(receiver, link.data() + first / 2, link.size() - first / 2).size() == 2);
 }
 
-TEST_CASE("the page on C++: an error names the value and the remedy") {
+TEST_CASE("the page on C++: an error contains the value and the remedy") {
   std::string reason;
   CHECK_FALSE(mesh_or_reason(std::vector<float>(5), reason));
   CHECK(reason == "the vector has 5 samples, and the extents 20 x 18 x 16 need 5760");

@@ -91,7 +91,7 @@ constexpr Limits limits{12, 10};
 
 }  // namespace
 
-TEST_CASE("records in a stream of regions arrive and change nothing else") {
+TEST_CASE("records in a stream of regions arrive and leave all other events unchanged") {
   for (const size_t bytes_at_once : {size_t{0}, size_t{1}, size_t{50}}) {
     const Received received = decode(regions_with_records(bytes_at_once));
     CHECK(received.status == Status::ok);
@@ -153,7 +153,7 @@ TEST_CASE("a row after a record is accepted even if the record is still being se
   }
 }
 
-TEST_CASE("a record waits behind a refused event, in streams of both kinds") {
+TEST_CASE("a record waits until a refused event is accepted, in both kinds of streams") {
   for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)}) {
     const Received idle = decode_surface(stream, limits);
     const Received busy = decode_surface(stream, limits, 0, true);
@@ -163,7 +163,7 @@ TEST_CASE("a record waits behind a refused event, in streams of both kinds") {
   }
 }
 
-TEST_CASE("a stream that is decoded and encoded again keeps its records") {
+TEST_CASE("a decoded and re-encoded stream keeps its application records") {
   EventLog log;
   const Bytes stream = regions_with_records(0);
   Encoder encoder;
@@ -176,7 +176,7 @@ TEST_CASE("a stream that is decoded and encoded again keeps its records") {
   CHECK(line.bytes == stream);
 }
 
-TEST_CASE("a record has at most 200 bytes, and is refused before a start or within a region") {
+TEST_CASE("a record longer than 200 bytes, before the start or within a region is refused") {
   const Bytes most(ApplicationRecord::max_bytes, 0), too_many(ApplicationRecord::max_bytes + 1, 0);
   Line line;
   Encoder encoder;

@@ -49,7 +49,7 @@ Bytes arrived(const LimitedLine& dead, const Line& back) {
 
 }  // namespace
 
-TEST_CASE("a scan with a dead link continues or is abandoned, and counts the dropped bytes") {
+TEST_CASE("a scan with a dead link continues or is abandoned, and dropped bytes are counted") {
   const uint64_t whole = encode(events_of(volume), header_of(volume)).size();
   for (const size_t dies_after : {size_t{0}, size_t{100}, size_t{1000}})
     for (const bool is_abandoned : {false, true}) {
@@ -141,7 +141,7 @@ TEST_CASE("a receiver connected between two packets receives a header at once") 
   CHECK(late.repeated_packets == 0);
 }
 
-TEST_CASE("a change of output before the stream begins changes nothing") {
+TEST_CASE("a change of output before the stream begins leaves the stream unchanged") {
   Line line;
   Encoder encoder;
   require_ok(encoder.start(header_of(volume).label(), line.output()));
@@ -152,7 +152,7 @@ TEST_CASE("a change of output before the stream begins changes nothing") {
   CHECK(line.bytes == encode(events_of(volume), header_of(volume)));
 }
 
-TEST_CASE("sealed bytes are sent to the new output, followed by a header") {
+TEST_CASE("bytes of a finished packet are sent to the new output, followed by a header") {
   LimitedLine dead{SIZE_MAX};
   Line back;
   StartedSliceEncoder encoder(header_of(volume), dead.output());
@@ -168,7 +168,7 @@ TEST_CASE("sealed bytes are sent to the new output, followed by a header") {
   CHECK(packet_of(frames[1]).is(detail::wire::PacketKind::header));
 }
 
-TEST_CASE("a zero ends a cut frame once, before the next stream") {
+TEST_CASE("a zero byte ends a truncated frame once, before the next stream") {
   LimitedLine line{3};
   Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
   SliceEncoder encoder;
@@ -186,7 +186,7 @@ TEST_CASE("a zero ends a cut frame once, before the next stream") {
   CHECK(line.bytes.size() == 4 + 2 * header);
 }
 
-TEST_CASE("a stream that begins within a cut frame of another stream is complete") {
+TEST_CASE("a stream that begins within a truncated frame of another stream is complete") {
   const Bytes regions = encode(events_of(volume), header_of(volume));
   const Bytes slices = encode_slices(volume);
   for (const bool is_of_slices : {false, true}) {

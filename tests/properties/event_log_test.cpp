@@ -26,7 +26,7 @@ bool is_recorded(Event::Kind kind, Change change) {
 
 }  // namespace
 
-TEST_CASE("events are equal if the members of their kind are equal") {
+TEST_CASE("recorded events are equal if all members of their kind are equal") {
   using Kind = Event::Kind;
   const auto incidence = [](Event& event) { event.incidence = 3; };
   const auto hole = [](Event& event) { event.is_hole = true; };
@@ -57,7 +57,7 @@ TEST_CASE("events are equal if the members of their kind are equal") {
   CHECK_FALSE(is_recorded(Kind::lost, incidence));
 }
 
-TEST_CASE("an event is recorded once, when it is accepted") {
+TEST_CASE("a refused and repeated event is recorded once, when accepted") {
   EventLog log(refuses_first);
   const Event layer = event_of(Event::Kind::layer);
   for (int i = 0; i < 3; ++i) {
@@ -68,7 +68,7 @@ TEST_CASE("an event is recorded once, when it is accepted") {
   CHECK(log.events == Events(3, RecordedEvent(layer)));
 }
 
-TEST_CASE("an event that differs from the refused one is detected") {
+TEST_CASE("a repeated event that differs from the refused event is detected") {
   EventLog log(refuses_first);
   CHECK(log.accept(event_of(Event::Kind::layer)) == SinkResult::busy);
   CHECK_THROWS_AS(log.accept(event_of(Event::Kind::finish)), GrammarError);

@@ -132,7 +132,7 @@ bool is_disc(const AroundEdge& around, const Steps& steps, uint32_t voxel_bits) 
 
 }  // namespace
 
-TEST_CASE("the facet across an edge is unique among all shapes in nearby cells") {
+TEST_CASE("across_edge() returns the only facet at an edge among all shapes in nearby cells") {
   for_each_facet_edge([](Facet facet, int edge, const Vertex& from, const Vertex& to) {
     const Neighbour across = across_edge(facet, edge);
     int found = 0;
@@ -149,7 +149,7 @@ TEST_CASE("the facet across an edge is unique among all shapes in nearby cells")
   });
 }
 
-TEST_CASE("an edge inside a cell leads to the same cell, one on a face to the cell beyond it") {
+TEST_CASE("across_edge() stays in the cell at an inner edge, and enters the next cell at a face") {
   constexpr Vertex beyond[] = {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {1, 0, 0},
                                {0, 1, 0},  {0, 0, 1},  {0, 0, 0}};
   for_each_facet_edge([&](Facet facet, int edge, const Vertex& from, const Vertex& to) {
@@ -158,7 +158,7 @@ TEST_CASE("an edge inside a cell leads to the same cell, one on a face to the ce
   });
 }
 
-TEST_CASE("around every edge midpoint the surface is a disc, in all 2^18 neighbourhoods") {
+TEST_CASE("the surface around every edge midpoint is a disc, in all 2^18 neighbourhoods") {
   // The four cells around the edge have 18 voxels, and no other cell has facets at the midpoint.
   for (int axis = 0; axis < 3; ++axis) {
     CAPTURE(axis);
@@ -183,7 +183,7 @@ TEST_CASE("around every edge midpoint the surface is a disc, in all 2^18 neighbo
   }
 }
 
-TEST_CASE("around a centroid the surface is a disc") {
+TEST_CASE("the surface around every centroid is a disc") {
   for (int c = 0; c < configurations; ++c) {
     CAPTURE(c);
     std::vector<PointLink> fan;

@@ -65,7 +65,7 @@ void check_all_plans(const SampleVolume<Sample>& volume, int32_t threshold) {
 
 }  // namespace
 
-TEST_CASE("fractions arrive as the samples of any type give them") {
+TEST_CASE("decoded fractions equal the fractions of the samples, for every sample type") {
   for (const Size& size :
        {Size{67, 9, 5}, Size{30, 4, 3}, Size{1, 1, 4}, Size{1, 7, 2}, Size{7, 70, 2}}) {
     CAPTURE(size.width);
@@ -76,7 +76,7 @@ TEST_CASE("fractions arrive as the samples of any type give them") {
   }
 }
 
-TEST_CASE("parts of rows far below the threshold have fractions at their ends") {
+TEST_CASE("fractions arrive at the ends of sections of rows far below the threshold") {
   const auto check = [](auto volume, int32_t threshold) {
     using Sample = typename decltype(volume.samples)::value_type;
     for (size_t i = 0; i < volume.samples.size(); ++i)
@@ -88,7 +88,7 @@ TEST_CASE("parts of rows far below the threshold have fractions at their ends") 
   check(wave<int16_t>({70, 5, 3}, -200, 25000), -300);
 }
 
-TEST_CASE("samples at the ends of their type have fractions for every threshold") {
+TEST_CASE("samples at the limits of their type have fractions for every threshold") {
   const Size size{40, 5, 4};
   SampleVolume<uint16_t> ends = wave<uint16_t>(size, 32768, 1);
   for (size_t i = 0; i < ends.samples.size(); ++i)
@@ -97,7 +97,7 @@ TEST_CASE("samples at the ends of their type have fractions for every threshold"
     check_all_plans(ends, threshold);
 }
 
-TEST_CASE("samples that are not consecutive have the same fractions") {
+TEST_CASE("samples with a stride have the same fractions as contiguous samples") {
   const SampleVolume<int16_t> volume = wave<int16_t>({33, 6, 4}, 0, 500);
   const SliceEncoderConfig config = config_of(volume, 10, 4);
   std::vector<int16_t> apart(3 * volume.samples.size());
@@ -142,7 +142,7 @@ TEST_CASE("skipped rows, and edges to skipped rows, have no fractions") {
   }
 }
 
-TEST_CASE("every surface of a stream has its fractions") {
+TEST_CASE("every surface in a stream of several surfaces has its fractions") {
   const SampleVolume<int16_t> volume = wave<int16_t>({50, 8, 6}, 0, 300);
   SliceEncoderConfig config = config_of(volume, 0, 2);
   const int32_t thresholds[] = {0, 40, -70, 200};
@@ -190,7 +190,7 @@ TEST_CASE("a checkpoint after any rows continues a stream with fractions with th
   }
 }
 
-TEST_CASE("a checkpoint of an encoder with fractions is not one of an encoder without") {
+TEST_CASE("an encoder without fractions refuses a checkpoint of an encoder with fractions") {
   const SampleVolume<uint8_t> volume = wave<uint8_t>({20, 5, 1}, 100, 90);
   const SliceEncoderConfig config = config_of(volume, 100, 2);
   Block block(FractionSliceEncoder<uint8_t>::minimum_bytes(config));
@@ -207,7 +207,7 @@ TEST_CASE("a checkpoint of an encoder with fractions is not one of an encoder wi
   CHECK(unsaved.restore(block.memory(), line.output()) == Status::bad_checkpoint);
 }
 
-TEST_CASE("after a lost packet all fractions that arrive are right") {
+TEST_CASE("all fractions that arrive after a lost packet are right") {
   const Size size{40, 20, 9};  // with more edges than a queue has room for
   const BitVolume volume = reference::random(size, 128, 3);
   for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4}) {
@@ -228,7 +228,7 @@ TEST_CASE("after a lost packet all fractions that arrive are right") {
   }
 }
 
-TEST_CASE("a code of fractions that no encoder wrote is reported") {
+TEST_CASE("a code of fractions that no encoder writes is reported as damaged") {
   const Size size{12, 4, 6};
   SlicePlan plan{2};
   plan.levels = 4;
@@ -248,7 +248,7 @@ TEST_CASE("a code of fractions that no encoder wrote is reported") {
   CHECK(unreadable > 100);
 }
 
-TEST_CASE("a late receiver skips the fractions of edges from a slice that it missed") {
+TEST_CASE("a late receiver skips fractions of edges from a missed slice") {
   const Size size{40, 6, 12};
   const BitVolume volume = reference::random(size, 128, 3);
   SlicePlan plan{1};
@@ -264,7 +264,7 @@ TEST_CASE("a late receiver skips the fractions of edges from a slice that it mis
   }
 }
 
-TEST_CASE("only 2 and 4 levels start, with memory and an output") {
+TEST_CASE("an encoder with fractions starts only with 2 or 4 levels, enough memory and an output") {
   SliceEncoderConfig config{{8, 8}, {100}};
   std::vector<uint8_t> memory(10000);
   Line line;
@@ -327,7 +327,7 @@ size_t early_vertices(const Events& events, const Size& size) {
 
 }  // namespace
 
-TEST_CASE("a receiver gets the fractions of an edge before its vertex, and the same polygons") {
+TEST_CASE("a receiver delivers the fractions of an edge before its vertex, and the same polygons") {
   const Size size{20, 8, 8};
   const BitVolume volume = reference::random(size, 128, 5);
   SlicePlan plan;
@@ -459,7 +459,7 @@ Bytes stream_on_the_edge(uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("codes are cut within fractions at any pending carry") {
+TEST_CASE("codes with fractions can be cut at any pending carry") {
   uint32_t cuts = 0;
   for (uint32_t seed = 1; seed < 20; ++seed) {
     const Bytes stream = stream_on_the_edge(seed);
@@ -524,12 +524,12 @@ TEST_CASE("fractions with 2 levels match their golden stream") {
                {-150}, 2);
 }
 
-TEST_CASE("codes cut within fractions match their golden stream") {
+TEST_CASE("codes cut amid fractions match their golden stream") {
   const SampleVolume<uint16_t> volume{{long_width, 1, 1}, samples_of(row_on_the_edge(2))};
   check_golden("fractions_cut.dmc", stream_on_the_edge(2), volume, {20000}, 2);
 }
 
-TEST_CASE("edge_midpoint() and fraction_of() return the midpoint and the fraction of an axis") {
+TEST_CASE("edge_midpoint() and fraction_of() return the midpoint and the fraction of an edge") {
   CHECK(edge_midpoint(4, 5, 6, 0) == Vertex{7, 10, 12});
   CHECK(edge_midpoint(4, 5, 6, 1) == Vertex{8, 9, 12});
   CHECK(edge_midpoint(4, 5, 6, 2) == Vertex{8, 10, 11});

@@ -111,7 +111,7 @@ void press_all(Size size, uint64_t stride = 1) {
 
 }  // namespace
 
-TEST_CASE("every block of a row, a sheet or a cube of two voxels is swept as in the paper") {
+TEST_CASE("every block of a row, sheet or 2 x 2 x 2 cube is swept as in the paper") {
   check_all({1, 1, 1}, 1);
   check_all({1, 1, 5}, 1);
   check_all({1, 5, 1}, 1);
@@ -153,7 +153,7 @@ TEST_CASE("larger blocks in minimal memory are the same after joining") {
   press_all({3, 3, 2}, 101 * step(37));
 }
 
-TEST_CASE("a block of every kind of larger tiling is swept as in the paper") {
+TEST_CASE("a 5 x 5 x 5 block of every tiling pattern is swept as in the paper") {
   for (uint64_t bits = 0; bits < 256; ++bits)
     for (const bool is_closed : {true, false}) {
       const BitVolume volume = tiling({5, 5, 5}, static_cast<Configuration>(bits));

@@ -147,7 +147,7 @@ TEST_CASE("every combination of sides from 1 to 6 voxels is swept as in the pape
       }
 }
 
-TEST_CASE("spirals of more turns than a byte counts are swept as in the paper") {
+TEST_CASE("spirals of more than 255 turns are swept as in the paper") {
   // More turns than a byte can count.
   for (const uint32_t side : {100U, 181U, 260U}) {
     const BitVolume volume = spiral({side, side, 1});
@@ -169,7 +169,7 @@ TEST_CASE("a ball of radius 120 centred between voxels yields the recorded count
               {542924, 663116, 37558, 37746, 484992});
 }
 
-TEST_CASE("events do not depend on index width and capacities while no fragment is loose") {
+TEST_CASE("events do not depend on index width or capacities unless fragments are loose") {
   for (const Named& shape : shapes())
     for (const Border border : {Border::closed, Border::open}) {
       constexpr Capacities more{ample.slots + 1777, ample.holes + 79};
@@ -180,7 +180,7 @@ TEST_CASE("events do not depend on index width and capacities while no fragment 
     }
 }
 
-TEST_CASE("the events do not depend on the index width even if slots run short") {
+TEST_CASE("events do not depend on the index width, even if slots run out") {
   for (uint64_t seed = 0; seed < 300; ++seed) {
     const BitVolume volume = small_random(seed);
     const auto extra = static_cast<uint32_t>(seed % 50);
@@ -204,13 +204,13 @@ TEST_CASE("a region is delivered before the first layer mark that it does not re
     }
 }
 
-TEST_CASE("the events of a fixed volume have a recorded hash") {
+TEST_CASE("the events of a fixed volume have the recorded hash") {
   const BitVolume volume = random({14, 13, 12}, 150, 11);
   const EventLog log = events_of(volume, Border::closed, ample, false);
   CHECK(hash_of(log) == 2843474493360604257ULL);
 }
 
-TEST_CASE("the order of the rings of regions with many holes is the same on every machine") {
+TEST_CASE("the order of rings in regions with many holes is the same on every machine") {
   const BitVolume volume = random({40, 40, 2}, 235, 3);
   const EventLog log = events_of(volume, Border::closed, ample, false);
   CHECK(hash_of(log) == 11100549875466600305ULL);

@@ -91,7 +91,7 @@ List normals_of(const std::vector<Bytes>& payloads) {
 
 }  // namespace
 
-TEST_CASE("normals are decoded unchanged for any differences, in whole regions and in parts") {
+TEST_CASE("normals with any differences are decoded unchanged, in whole regions and in parts") {
   Chance chance(5);
   const Events balls = events_of(ball({20, 20, 20}, {19, 19, 19}, 64));
   const Events noise = pressed(random({20, 16, 9}, 128, 6));
@@ -111,7 +111,7 @@ TEST_CASE("normals are decoded unchanged for any differences, in whole regions a
       }
 }
 
-TEST_CASE("missing normals among others are decoded as missing") {
+TEST_CASE("a missing normal among other normals is decoded as missing") {
   const Events events = pressed(random({20, 16, 9}, 128, 7));
   Chance chance(8);
   const Events with_gaps = with_normals(events, [&](uint32_t) {
@@ -121,12 +121,12 @@ TEST_CASE("missing normals among others are decoded as missing") {
   CHECK(decode(encode_normals(with_gaps)).events == with_gaps);
 }
 
-TEST_CASE("without normals both encoders write the same bytes") {
+TEST_CASE("both encoders write the same bytes for events without normals") {
   const Events events = pressed(random({20, 16, 9}, 128, 9));
   CHECK(encode_normals(events) == encode(events));
 }
 
-TEST_CASE("an encoder without normals omits only the normals") {
+TEST_CASE("an encoder with normals disabled omits only the normals") {
   const Events plain = pressed(random({20, 16, 9}, 128, 10));
   const Events sent = with_normals(plain, [](uint32_t i) {
     return OctahedralNormal{static_cast<uint8_t>(1 + i % 255), 77};
@@ -134,7 +134,7 @@ TEST_CASE("an encoder without normals omits only the normals") {
   CHECK(encode(sent) == encode(plain));
 }
 
-TEST_CASE("a normal belongs only to the record after it") {
+TEST_CASE("a normal belongs only to the next record") {
   Payload payload;
   SUBCASE("normals, then two regions") {
     add_normals(payload, 1, {5, 6});  // differences of 0 bits

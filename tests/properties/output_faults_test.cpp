@@ -200,7 +200,7 @@ TEST_CASE("an output that fails repeatedly leaves the stream unchanged") {
     }
 }
 
-TEST_CASE("a scan with a dead output at any byte waits, and resumes or restarts") {
+TEST_CASE("a scan whose output fails at any byte waits, and resumes or restarts") {
   for (const Scenario& scenario : scenarios()) {
     const Bytes whole = stream_of(scenario);
     for (size_t stop = 0; stop < whole.size(); stop += step(5)) {

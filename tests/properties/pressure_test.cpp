@@ -119,7 +119,7 @@ constexpr uint32_t min_slots = minimum_capacities().slots;
 
 }  // namespace
 
-TEST_CASE("the rings do not depend on the number of slots") {
+TEST_CASE("the rings of regions do not depend on the number of slots") {
   for_each_case([](const Pressed& pressed) {
     const uint32_t most = pressed.needed().slots + 10;
     for (uint32_t slots = min_slots; slots <= most; slots += step(19)) {
@@ -132,7 +132,7 @@ TEST_CASE("the rings do not depend on the number of slots") {
   });
 }
 
-TEST_CASE("the rings do not depend on the number of waiting holes") {
+TEST_CASE("the rings of regions do not depend on the number of waiting holes") {
   const BitVolume grid = tiling({13, 13, 3}, 15);
   BitVolume sieve({15, 15, 3});
   for (uint32_t y = 0; y < 15; ++y)
@@ -147,7 +147,7 @@ TEST_CASE("the rings do not depend on the number of waiting holes") {
   }
 }
 
-TEST_CASE("the rings are the same in any memory from the minimum to plenty") {
+TEST_CASE("the rings are the same for any memory from the minimum to plenty") {
   for_each_case([](const Pressed& pressed) {
     const uint64_t narrow = Extractor16::minimum_bytes(pressed.limits());
     for (uint64_t extra = 0; extra < 12000; extra += step(23) * (1 + extra / 32)) {
@@ -160,14 +160,14 @@ TEST_CASE("the rings are the same in any memory from the minimum to plenty") {
   });
 }
 
-TEST_CASE("the rings are the same for every byte added to the minimum") {
+TEST_CASE("the rings are the same for each byte of memory added to the minimum") {
   const Pressed pressed(random({7, 6, 5}, 120, 3), Border::closed);
   const uint64_t min_bytes = Extractor16::minimum_bytes(pressed.limits());
   for (uint64_t bytes = min_bytes; bytes < min_bytes + 3000; bytes += step(17))
     CHECK(pressed.fault<uint16_t>(bytes) == "");
 }
 
-TEST_CASE("twice the peak of slots plus 64 keeps every region whole") {
+TEST_CASE("twice the peak of slots plus 64 leaves no loose fragments") {
   for (const BitVolume& volume : small_volumes())
     for (const Border border : {Border::closed, Border::open}) {
       const Peaks needed = Pressed(volume, border).needed();
@@ -179,7 +179,7 @@ TEST_CASE("twice the peak of slots plus 64 keeps every region whole") {
     }
 }
 
-TEST_CASE("the memory of the worst case keeps every region whole") {
+TEST_CASE("memory for the worst case leaves no loose fragments") {
   for (uint64_t seed = 0; seed < 200; seed += step(7)) {
     const BitVolume volume = random({1 + static_cast<uint32_t>(seed % 6), 4, 3}, 150, seed);
     for (const Border border : {Border::closed, Border::open}) {
@@ -193,7 +193,7 @@ TEST_CASE("the memory of the worst case keeps every region whole") {
   }
 }
 
-TEST_CASE("slabs of any thickness, in any memory, join to the whole") {
+TEST_CASE("slabs of any thickness, in any memory, join to the whole surface") {
   for (uint64_t seed = 0; seed < 120; seed += step(11)) {
     CAPTURE(seed);
     const auto s = static_cast<uint32_t>(seed);
@@ -213,7 +213,8 @@ TEST_CASE("slabs of any thickness, in any memory, join to the whole") {
   }
 }
 
-TEST_CASE("more memory never yields more loose fragments of a ball, and enough memory none") {
+TEST_CASE(
+    "more memory never yields more loose fragments of a ball, and enough memory yields none") {
   const BitVolume volume = ball({31, 31, 31}, {30, 30, 30}, 180);
   const Limits limits = limits_of(volume, Border::closed);
   size_t before = SIZE_MAX;
@@ -226,7 +227,7 @@ TEST_CASE("more memory never yields more loose fragments of a ball, and enough m
   CHECK(before == 0);
 }
 
-TEST_CASE("a thousand layers need no more memory than the first ones, so nothing leaks") {
+TEST_CASE("a thousand layers need no more slots and holes than the first 40 layers") {
   for (uint64_t seed = 0; seed < 12; seed += step(3)) {
     // An off slice ends every region, so that no holes accumulate in open regions.
     BitVolume period = random({7, 8, 10}, 60 + 15 * static_cast<uint32_t>(seed), seed);

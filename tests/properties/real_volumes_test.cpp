@@ -119,7 +119,7 @@ TEST_CASE("the CT head's skin in 96 KiB yields the recorded counts and no loose 
   }
 }
 
-TEST_CASE("the CT head's skin needs few more bytes in little memory") {
+TEST_CASE("the CT head's skin needs only slightly more bytes with little memory") {
   const fs::path file = ct_head();
   if (file.empty()) return;
   const BitVolume volume = read(file, skin);
@@ -134,7 +134,7 @@ TEST_CASE("the CT head's skin needs few more bytes in little memory") {
   CHECK(in(24) <= 2.6);
 }
 
-TEST_CASE("real volumes are the same in any memory after joining") {
+TEST_CASE("surfaces of real volumes are the same in any memory after joining") {
   for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
@@ -150,7 +150,7 @@ TEST_CASE("real volumes are the same in any memory after joining") {
   }
 }
 
-TEST_CASE("slabs of real volumes join to the whole") {
+TEST_CASE("slabs of real volumes join to the whole surface") {
   for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);

@@ -121,7 +121,7 @@ int rings_counter_clockwise(const Region& region) {
 
 }  // namespace
 
-TEST_CASE("each directed link of a closed surface cancels against its opposite") {
+TEST_CASE("the directed links of a closed surface cancel in opposite pairs") {
   for_each_volume(
       [](const BitVolume& volume) { CHECK(sum_of_links(merge(volume, true)).empty()); });
 }
@@ -148,7 +148,7 @@ TEST_CASE("polygons and cells enclose the same volume") {
   });
 }
 
-TEST_CASE("merging keeps the area on every plane") {
+TEST_CASE("merging preserves the area of the surface on every plane") {
   for_each_volume([](const BitVolume& volume) {
     for (const bool is_closed : {true, false})
       CHECK(areas_of(merge(volume, is_closed)) == areas_of_facets(volume, is_closed));
@@ -181,7 +181,7 @@ TEST_CASE("a region is maximal: its plane does not continue across its boundary"
   });
 }
 
-TEST_CASE("a closed border reaches from -1 to 2W-1, an open one from 0 to 2W-2") {
+TEST_CASE("a closed border reaches from -1 to 2W-1, and an open border from 0 to 2W-2") {
   const BitVolume volume = checkerboard({7, 6, 5});
   for (const bool is_closed : {true, false}) {
     Vertex least{99, 99, 99};
@@ -198,7 +198,7 @@ TEST_CASE("a closed border reaches from -1 to 2W-1, an open one from 0 to 2W-2")
   }
 }
 
-TEST_CASE("the rings of a region that touches itself stay simple") {
+TEST_CASE("the rings of a region that touches itself are simple") {
   bool touches = false;
   for (uint64_t seed = 0; seed < 20; ++seed)
     for (const Region& region : merge(random({24, 24, 3}, 200, seed), true)) {
@@ -226,7 +226,7 @@ TEST_CASE("the canonical form ignores the starts and the order of rings") {
   CHECK(describe_difference(canonical(shuffled), expected) == "");
 }
 
-TEST_CASE("a difference is described by its first region") {
+TEST_CASE("describe_difference() describes the first region that differs") {
   const std::vector<Region> voxel = canonical(merge(from_bits({1, 1, 1}, 1), true));
   std::vector<Region> other = voxel;
   other[3].rings[0][1].z = 77;

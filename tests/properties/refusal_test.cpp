@@ -237,7 +237,7 @@ Scenario pressed(uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("any single refusal changes no event") {
+TEST_CASE("refusing any single event leaves all events unchanged") {
   for (const Border border : {Border::closed, Border::open}) {
     check_every_single_refusal(scenario_of(random({6, 5, 5}, 90, 1), border));
     check_every_single_refusal(scenario_of(checkerboard({5, 4, 4}), border));
@@ -247,12 +247,12 @@ TEST_CASE("any single refusal changes no event") {
   }
 }
 
-TEST_CASE("any single refusal within a row of several words changes no event") {
+TEST_CASE("refusing any single event within a row of several words leaves all events unchanged") {
   for (const Border border : {Border::closed, Border::open})
     check_every_single_refusal(scenario_of(random({99, 2, 2}, 8, 7), border));
 }
 
-TEST_CASE("any single refusal among loose fragments changes no event") {
+TEST_CASE("refusing any single event among loose fragments leaves all events unchanged") {
   for (uint64_t seed = 0; seed < 14; ++seed) {
     const Scenario scenario = loose(seed, seed % 2 == 0 ? Border::closed : Border::open);
     CAPTURE(seed);
@@ -264,7 +264,7 @@ TEST_CASE("any single refusal among loose fragments changes no event") {
   }
 }
 
-TEST_CASE("refusing all offers once, repeatedly or at random changes no event") {
+TEST_CASE("refusing events once each, repeatedly or at random leaves all events unchanged") {
   for (const Border border : {Border::closed, Border::open})
     for (uint64_t seed = 0; seed < 6; ++seed) {
       CAPTURE(seed);
@@ -274,7 +274,7 @@ TEST_CASE("refusing all offers once, repeatedly or at random changes no event") 
     }
 }
 
-TEST_CASE("reset() discards the events that the sink has not accepted") {
+TEST_CASE("reset() discards events that the sink has not accepted") {
   for (const Scenario& scenario : {scenario_of(random({5, 5, 4}, 128, 3), Border::open),
                                    loose(4, Border::closed), pressed(7)}) {
     const EventLog plain = run<uint16_t>(scenario);
@@ -284,7 +284,8 @@ TEST_CASE("reset() discards the events that the sink has not accepted") {
   }
 }
 
-TEST_CASE("an abandoned scan with any single refusal is closed and reported as abandoned") {
+TEST_CASE(
+    "an abandoned scan is closed and reported as abandoned, even if any single event is refused") {
   for (const Border border : {Border::closed, Border::open}) {
     Scenario scenario = scenario_of(random({3, 3, 3}, 140, 9), border);
     scenario.ending = Ending::abandon;

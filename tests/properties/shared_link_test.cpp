@@ -92,7 +92,7 @@ const BitVolume second_volume = reference::random({20, 20, 20}, 40, 2);
 
 }  // namespace
 
-TEST_CASE("a decoder receives the first of two mixed scans completely") {
+TEST_CASE("a decoder of two mixed scans receives the first scan completely") {
   const Events first = events_of(first_volume);
   const Bytes link = mixed(encode(first, named(first_volume, 7, 0)),
                            encode(events_of(second_volume), named(second_volume, 8, 0)));
@@ -105,7 +105,7 @@ TEST_CASE("a decoder receives the first of two mixed scans completely") {
   CHECK(received.report.repeated_packets == 0);
 }
 
-TEST_CASE("two mixed scans with the same name never form a complete surface") {
+TEST_CASE("two mixed scans with equal numbers never form a complete surface") {
   uint32_t mixtures = 0;
   for (uint32_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
@@ -132,7 +132,7 @@ TEST_CASE("two mixed scans with the same name never form a complete surface") {
   CHECK(mixtures > 200);
 }
 
-TEST_CASE("the digest detects packets of another scan even if all numbers match") {
+TEST_CASE("the digest detects packets of another scan even if all packet numbers match") {
   // The same volume except for one voxel in the middle, so all numbers agree.
   BitVolume other = first_volume;
   other.on[other.voxels() / 2] ^= 1;
@@ -189,7 +189,7 @@ TEST_CASE("a scan of which only the header arrives is received") {
   CHECK(log.starts.size() == 2);
 }
 
-TEST_CASE("an encoder numbers the scans that follow its first") {
+TEST_CASE("an encoder increments the scan number for each further scan") {
   const BitVolume voxel = reference::from_bits({1, 1, 1}, 1);
   Line line;
   Encoder encoder;
@@ -209,7 +209,7 @@ TEST_CASE("an encoder numbers the scans that follow its first") {
   }
 }
 
-TEST_CASE("the header contains the extractor's limits and threshold, and the label's values") {
+TEST_CASE("the header contains the extractor's limits and threshold, and the values of the label") {
   Line line;
   Encoder encoder;
   require_ok(encoder.start({5, {1000, -2000, 3000}, 77, 3}, line.output()));
@@ -227,7 +227,7 @@ TEST_CASE("the header contains the extractor's limits and threshold, and the lab
   CHECK(reference::are_equal(log.starts[0], expected));
 }
 
-TEST_CASE("the spacing of an extractor is also that of the stream") {
+TEST_CASE("a stream has the spacing set at its extractor") {
   using Normals = GradientIntake<uint8_t>;
   Line line;
   discmc::test::NormalEncoder encoder;
@@ -243,7 +243,7 @@ TEST_CASE("the spacing of an extractor is also that of the stream") {
   CHECK(header.spacing_nm[2] == -3000);
 }
 
-TEST_CASE("several surfaces of a scan share a link frame by frame, even if the line is busy") {
+TEST_CASE("several surfaces of a scan share a link frame by frame, even if the link is busy") {
   constexpr int32_t thresholds[] = {60, 90, 200};
   const reference::Size size{20, 16, 12};
   Bytes samples;
@@ -287,7 +287,7 @@ TEST_CASE("several surfaces of a scan share a link frame by frame, even if the l
   }
 }
 
-TEST_CASE("a group pushes rows of bits and skips rows like its extractors") {
+TEST_CASE("a group pushes rows of bits and skips rows for all of its extractors") {
   const Limits limits{9, 2};
   Group<2> group(limits);
   EventLog alone[2];
@@ -315,7 +315,7 @@ TEST_CASE("a group pushes rows of bits and skips rows like its extractors") {
   }
 }
 
-TEST_CASE("a group accepts samples at a stride, over many rows at once") {
+TEST_CASE("a group accepts many rows of samples at once, with a stride") {
   const BitVolume volume = reference::random({7, 5, 3}, 110, 5);
   Bytes apart(2 * volume.on.size());
   for (size_t i = 0; i < volume.on.size(); ++i) apart[2 * i] = volume.on[i];
@@ -326,7 +326,7 @@ TEST_CASE("a group accepts samples at a stride, over many rows at once") {
   for (const EventLog& log : group.logs) CHECK(log.events == events_of(volume));
 }
 
-TEST_CASE("rows of bits that fill their bytes are contiguous in a group, too") {
+TEST_CASE("a group accepts contiguous rows of bits if a row has a whole number of bytes") {
   Group<2> group({8, 1});
   const uint8_t bits[] = {0x01, 0xF8, 0};
   require_ok(group.surfaces.push_bits(bits).status);
@@ -335,7 +335,7 @@ TEST_CASE("rows of bits that fill their bytes are contiguous in a group, too") {
   CHECK(group.logs[1].events == events_of(reference::from_bits({8, 1, 1}, 0xF8)));
 }
 
-TEST_CASE("a group waits for any busy sink, and counts only rows that all extractors accepted") {
+TEST_CASE("a group waits for any busy sink, and counts only rows accepted by all extractors") {
   const Limits limits{9, 4};
   const BitVolume noise = reference::random({9, 4, 6}, 110, 4);
   for (const size_t busy : {size_t{0}, size_t{1}, size_t{2}}) {
@@ -373,7 +373,7 @@ TEST_CASE("a group waits for any busy sink, and counts only rows that all extrac
   }
 }
 
-TEST_CASE("encoders of a shared link that is not started are not started either") {
+TEST_CASE("encoders of an unstarted shared link are unstarted") {
   SharedOutput link;
   Encoder encoder;
   CHECK(encoder.start({}, link.output()) == Status::bad_sink);
@@ -434,7 +434,7 @@ TEST_CASE("a receiver receives scan after scan, whether or not a trailer is lost
 }
 
 TEST_CASE(
-    "repeated packets of a finished scan begin no scan, but a new stream of its number does") {
+    "repeated packets of a finished scan begin no scan, but a new stream with its number does") {
   const Events events = events_of(first_volume);
   const std::vector<Bytes> first = frames_of(encode(events, named(first_volume, 1, 0)));
   const std::vector<Bytes> second = frames_of(encode(events, named(first_volume, 2, 0)));

@@ -54,7 +54,7 @@ Bytes with_normals(const Events& events, const StreamHeader& header, uint16_t ma
 
 }  // namespace
 
-TEST_CASE("short frames carry all regions, fragments and normals") {
+TEST_CASE("short frames transmit all regions, fragments and normals") {
   for (const uint16_t length : lengths)
     for (const uint64_t memory : {uint64_t{3000}, uint64_t{100000}}) {
       INFO("length ", length, ", memory ", memory);
@@ -90,7 +90,7 @@ TEST_CASE("a short frame has room for the most distant starts and the longest ru
   CHECK(decode(stream).events.size() == script.events.size());
 }
 
-TEST_CASE("short frames carry all slices of several surfaces") {
+TEST_CASE("short frames transmit all slices of several surfaces") {
   for (const uint16_t length : lengths)
     for (const uint32_t interval : {0U, 1U, 3U}) {
       INFO("length ", length, ", interval ", interval);

@@ -89,15 +89,15 @@ void check_golden(const char* name, const Scan& scan) {
 
 }  // namespace
 
-TEST_CASE("noise with key slices matches its golden stream") {
+TEST_CASE("a noise volume with key slices matches its golden stream") {
   check_golden("slices_noise.dmc", reference::random({24, 20, 12}, 100, 1994), {4});
 }
 
-TEST_CASE("three surfaces of one scan match their golden stream") {
+TEST_CASE("a scan of three surfaces matches its golden stream") {
   check_golden("slices_surfaces.dmc", Scan{{40, 30, 12}, {150, 170, 155}, 6, 0});
 }
 
-TEST_CASE("skipped rows match their golden stream") {
+TEST_CASE("a scan with skipped rows matches its golden stream") {
   check_golden("slices_skipped.dmc", Scan{{33, 9, 12}, {170, 160}, 3, 4});
 }
 

@@ -62,7 +62,7 @@ ReceivedRows arrive(const std::vector<Bytes>& frames) {
 
 }  // namespace
 
-TEST_CASE("a lost packet costs only the rows up to the next key slice") {
+TEST_CASE("a lost packet loses only the rows up to the next key slice") {
   const Sent& sent = sent_with_keys();
   REQUIRE(sent.frames.size() > 20);
   for (size_t i = 1; i + 1 < sent.frames.size(); ++i) {
@@ -101,7 +101,7 @@ TEST_CASE("a loss of 256 packets before a header is detected, even after other l
   }
 }
 
-TEST_CASE("a trailer with more rows than a scan can have is ignored") {
+TEST_CASE("a trailer with more rows than the maximum of a scan is ignored") {
   const Sent& sent = sent_with_keys();
   Packet trailer = packet_of(sent.frames.back());
   std::fill_n(trailer.payload.begin() + 5, 8, uint8_t{0xFF});
@@ -113,7 +113,7 @@ TEST_CASE("a trailer with more rows than a scan can have is ignored") {
   CHECK_FALSE(received.report.is_complete());
 }
 
-TEST_CASE("a lost packet costs all later rows if the stream has no key slices") {
+TEST_CASE("a lost packet loses all later rows if the stream has no key slices") {
   const Sent sent(0);
   for (size_t i = 1; i + 1 < sent.frames.size(); i += 5) {
     std::vector<Bytes> frames = sent.frames;
@@ -138,7 +138,7 @@ TEST_CASE("a late receiver receives all rows from the next key slice on") {
   }
 }
 
-TEST_CASE("any mixture of losses yields only right rows") {
+TEST_CASE("every decoded row is right for any mixture of lost packets") {
   const Sent& sent = sent_with_keys();
   Chance chance(4);
   for (int round = 0; round < 300; ++round) {
@@ -180,7 +180,7 @@ TEST_CASE("the later of two swapped packets is decoded") {
   }
 }
 
-TEST_CASE("a stream truncated anywhere yields only right rows") {
+TEST_CASE("a stream of slices truncated anywhere yields only right rows") {
   const Sent& sent = sent_with_keys();
   for (size_t bytes = 0; bytes < sent.stream.size(); bytes += bytes < 600 ? 1 : 37) {
     CAPTURE(bytes);
@@ -191,7 +191,7 @@ TEST_CASE("a stream truncated anywhere yields only right rows") {
   }
 }
 
-TEST_CASE("a flipped bit costs one or two packets and yields no wrong row") {
+TEST_CASE("a flipped bit damages one or two packets and yields no wrong row") {
   const BitVolume volume = reference::random({20, 6, 12}, 60, 9);
   const Bytes stream = encode_slices(volume, {{3}});
   uint32_t complete = 0;

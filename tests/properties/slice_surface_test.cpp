@@ -134,7 +134,7 @@ TEST_CASE("memory that is too small for a stream of slices is refused") {
   CHECK(decoder.finish() == Status::not_started);
 }
 
-TEST_CASE("a call skips at most max_skipped_rows rows, whatever the stream claims") {
+TEST_CASE("a call skips at most max_skipped_rows rows, for any row number in the stream") {
   constexpr uint32_t most = SurfaceDecoder::max_skipped_rows;
   constexpr uint32_t rows = 2 * most + 100;
   const Bytes stream = lost_slices({3, 2, rows / 2});
@@ -160,7 +160,7 @@ TEST_CASE("a call skips at most max_skipped_rows rows, whatever the stream claim
   reference::require_ok(decoder.finish());
 }
 
-TEST_CASE("a stream truncated within its first packet has no start, whatever follows") {
+TEST_CASE("a stream truncated within its first packet delivers no start event") {
   const BitVolume volume = volumes()[0];
   const Bytes stream = encoded(volume, Border::closed, false, 0);
   EventLog log;
@@ -187,7 +187,7 @@ TEST_CASE("a stream truncated within its first packet has no start, whatever fol
   CHECK(log.events == swept(volume, Border::closed, false));
 }
 
-TEST_CASE("set_memory() replaces the memory that was too small") {
+TEST_CASE("set_memory() replaces memory that was too small") {
   const BitVolume volume = volumes()[0];
   const Bytes stream = encoded(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
@@ -213,7 +213,7 @@ TEST_CASE("set_memory() replaces the memory that was too small") {
   }
 }
 
-TEST_CASE("refusals lose no event of a stream of slices without its end") {
+TEST_CASE("a sink that refuses events loses no event of a truncated stream of slices") {
   const BitVolume volume = reference::random({20, 10, 6}, 90, 2);
   const Limits limits{volume.width, volume.height};
   std::vector<Bytes> frames = frames_of(encoded(volume, Border::closed, false, 1));

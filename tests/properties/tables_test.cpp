@@ -7,14 +7,15 @@
 using namespace discmc;
 using namespace discmc::reference;
 
-TEST_CASE("links are numbered in order, and the directions of a plane counter-clockwise") {
+TEST_CASE("links are numbered in order, and directions of a plane are counter-clockwise") {
   CHECK(broken(detail::link_table) == nullptr);
 }
 
-TEST_CASE("the facets of every configuration fill its loops, and their counts are right") {
+TEST_CASE("the facets of every configuration fill its loops and match the recorded counts") {
   CHECK(broken(facet_tables()) == nullptr);
 }
 
-TEST_CASE("a vertex has the sectors of its four cells, and each kind of link has a queue") {
+TEST_CASE(
+    "the sector table has the sectors of a vertex's four cells and a queue per kind of link") {
   CHECK(broken(detail::trace::sector_table) == nullptr);
 }

@@ -56,7 +56,7 @@ std::vector<size_t> regions_by_mark(const Collector& whole) {
 
 }  // namespace
 
-TEST_CASE("a stream truncated at any byte is incomplete and yields the pieces whole by then") {
+TEST_CASE("a stream truncated at any byte is incomplete and yields all pieces that arrived whole") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
@@ -84,7 +84,7 @@ TEST_CASE("a stream truncated at any byte is incomplete and yields the pieces wh
   }
 }
 
-TEST_CASE("a scan cut off at any byte yields every region below the last layer mark") {
+TEST_CASE("a scan truncated at any byte yields every region below the last layer mark") {
   size_t certain = 0;
   for (const Sample& sample : samples()) {
     if (sample.name == "monstrous records") continue;  // no surface

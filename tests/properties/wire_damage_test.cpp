@@ -68,7 +68,7 @@ std::vector<Sample> small_samples() {
 
 }  // namespace
 
-TEST_CASE("a flipped bit anywhere is detected and costs only its own packet") {
+TEST_CASE("a flipped bit anywhere is detected and loses only its own packet") {
   for (const Sample& sample : small_samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -108,7 +108,7 @@ TEST_CASE("a burst of errors anywhere is detected") {
   }
 }
 
-TEST_CASE("random bytes are rejected") {
+TEST_CASE("a decoder rejects random bytes") {
   Chance chance(2);
   for (int round = 0; round < 2000; ++round) {
     const Received arrival = survive(random_bytes(chance, chance.below(1500)), chance.below(5));
@@ -117,7 +117,8 @@ TEST_CASE("random bytes are rejected") {
   }
 }
 
-TEST_CASE("random payloads under a correct checksum terminate and break no rule") {
+TEST_CASE(
+    "decoding random payloads with a correct checksum terminates and yields only valid events") {
   Chance chance(3);
   size_t events = 0;
   for (int round = 0; round < 1500; ++round) {
@@ -135,7 +136,8 @@ TEST_CASE("random payloads under a correct checksum terminate and break no rule"
   CHECK(events > 10000);
 }
 
-TEST_CASE("changed packets under a correct checksum terminate and break no rule") {
+TEST_CASE(
+    "decoding modified packets with a correct checksum terminates and yields only valid events") {
   Chance chance(4);
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
@@ -157,7 +159,7 @@ TEST_CASE("changed packets under a correct checksum terminate and break no rule"
   }
 }
 
-TEST_CASE("hostile payloads with cheap decisions terminate") {
+TEST_CASE("decoding hostile payloads with cheap decisions terminates") {
   Chance chance(5);
   for (int round = 0; round < 300; ++round) {
     // All ones or all zeros select the most or least likely decisions.
@@ -168,7 +170,7 @@ TEST_CASE("hostile payloads with cheap decisions terminate") {
   }
 }
 
-TEST_CASE("frames of every length with a correct checksum are safe, even too long ones") {
+TEST_CASE("frames of any length with a correct checksum are safe, even above the maximum") {
   Chance chance(6);
   for (size_t count = 0; count <= detail::wire::max_payload + 1; ++count)
     for (uint8_t kind = 0; kind < 5; ++kind) {

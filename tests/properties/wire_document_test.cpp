@@ -123,11 +123,11 @@ std::string row_of(Incidence incidence) {
 
 }  // namespace
 
-TEST_CASE("the dump in WIRE.md is the stream of a single voxel") {
+TEST_CASE("the dump in WIRE.md equals the stream of a single voxel") {
   CHECK(bytes_of_block("hex") == single_voxel());
 }
 
-TEST_CASE("the symbols in WIRE.md are those of the first record and the first region") {
+TEST_CASE("the symbols in WIRE.md equal the symbols of the first record and the first region") {
   const Packet packet = packet_of(frames_of(single_voxel())[1]);
   std::vector<std::string> trace;
   detail::stream::RecordModel<TracingCoder> model(
@@ -143,7 +143,7 @@ TEST_CASE("the symbols in WIRE.md are those of the first record and the first re
   CHECK(trace == words_of_block("symbols"));
 }
 
-TEST_CASE("the dump of slices in WIRE.md is the stream of its volume, after the header") {
+TEST_CASE("the dump of slices in WIRE.md equals the stream of its volume after the header") {
   const std::vector<Bytes> frames = frames_of(encode_slices(two_slices()));
   REQUIRE(frames.size() == 3);
   CHECK(bytes_of_block("slices") == joined({frames[1], frames[2]}));
@@ -155,7 +155,7 @@ TEST_CASE("the dump of slices in WIRE.md is the stream of its volume, after the 
   CHECK(frame_of(header) == frames[0]);
 }
 
-TEST_CASE("the decisions of slices in WIRE.md are those of its volume and yield its voxels") {
+TEST_CASE("the decisions of slices in WIRE.md match their volume and decode to its voxels") {
   const reference::BitVolume volume = two_slices();
   const Packet packet = packet_of(frames_of(encode_slices(volume))[1]);
   Bytes memory(SliceDecoder::minimum_bytes({4, 3}));
@@ -186,7 +186,7 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume and yield 
   CHECK(trace == words_of_block("slice-decisions"));
 }
 
-TEST_CASE("the directions in WIRE.md are those of the code") {
+TEST_CASE("the directions in WIRE.md equal the directions in the code") {
   std::vector<std::string> rows, expected;
   bool is_inside = false;
   for (const std::string& line : document()) {
@@ -199,7 +199,7 @@ TEST_CASE("the directions in WIRE.md are those of the code") {
   CHECK(rows == expected);
 }
 
-TEST_CASE("the contexts in WIRE.md are those of the code") {
+TEST_CASE("the contexts in WIRE.md equal the contexts in the code") {
   std::map<std::string, std::vector<reference::SymbolContexts>> contexts;
   for (const reference::SymbolContexts& of : reference::symbol_contexts())
     contexts[of.name].push_back(of);

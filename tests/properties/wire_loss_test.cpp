@@ -115,7 +115,7 @@ const Sent& long_stream() {
 
 }  // namespace
 
-TEST_CASE("a single lost packet is counted, and only its contents are missing") {
+TEST_CASE("a single lost packet is counted, and only its contents are lost") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Sent sent(sample.events, sample.header);
@@ -152,7 +152,7 @@ TEST_CASE("a loss of 256 packets within a huge region is detected") {
   for (const size_t count : {256U, 257U, 300U, 512U}) check_without(sent, 67, count);
 }
 
-TEST_CASE("the pieces of packets lost before the trailer are counted") {
+TEST_CASE("pieces in packets lost before the trailer are counted") {
   const Sent& sent = long_stream();
   for (size_t count = 128; count < sent.frames.size() - 1; count += 13 * reference::step(3)) {
     std::vector<Bytes> kept(sent.frames.begin(),
@@ -166,7 +166,7 @@ TEST_CASE("the pieces of packets lost before the trailer are counted") {
   }
 }
 
-TEST_CASE("the trailer reports exactly the number of pieces lost before it") {
+TEST_CASE("the trailer reports exactly the number of pieces lost before the trailer") {
   std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
   REQUIRE(frames.size() == 2);
   for (const uint32_t regions : {0U, 1U, 32767U, 32768U, 40000U, 65535U, 65536U, 1000000U})
@@ -212,7 +212,7 @@ TEST_CASE("a late receiver decodes all packets from its first one, for any count
   }
 }
 
-TEST_CASE("any mixture of losses is counted") {
+TEST_CASE("all lost packets are counted in any mixture of losses") {
   Chance chance(1);
   const Sent& sent = long_stream();
   for (uint32_t round = 0; round < 60; round += reference::step(3)) {
@@ -261,7 +261,7 @@ TEST_CASE("the later of two swapped packets is decoded, and the other counts as 
     }
 }
 
-TEST_CASE("a stream cut off and restarted yields no region twice or wrong") {
+TEST_CASE("a stream cut off and restarted yields no repeated or wrong region") {
   const Sent& sent = long_stream();
   for (size_t cut = 1; cut < sent.frames.size(); cut += 37 * reference::step(3)) {
     CAPTURE(cut);
@@ -272,7 +272,7 @@ TEST_CASE("a stream cut off and restarted yields no region twice or wrong") {
   }
 }
 
-TEST_CASE("two spliced streams yield regions of either, never a mixture") {
+TEST_CASE("two spliced streams yield regions of each stream and no mixed regions") {
   const Sent& first = long_stream();
   const Sent second(long_events(77));
   for (size_t cut = 1; cut < first.frames.size(); cut += 97)
@@ -289,7 +289,7 @@ TEST_CASE("two spliced streams yield regions of either, never a mixture") {
 }
 
 TEST_CASE(
-    "two interleaved streams yield regions of either, and a complete result is all of one stream") {
+    "two interleaved streams yield unmixed regions, and a complete result is of one stream only") {
   // Each region fits a packet. The owner of the next part of a region in parts is undefined.
   const Sample round = sample_of("", reference::ball({20, 20, 20}, {19, 19, 19}, 70));
   const Sample noise = sample_of("", reference::random({13, 11, 9}, 128, 1));

@@ -39,7 +39,8 @@ void check_golden(const char* name, const BitVolume& volume) {
 
 }  // namespace
 
-TEST_CASE("the samples cover everything that a stream can contain") {
+TEST_CASE(
+    "the test streams contain fragments, skipped rows, holes and rings longer than a record") {
   uint64_t fragments = 0, skipped = 0, holes = 0, longest_ring = 0, runs = 0;
   for (const Sample& sample : samples()) {
     fragments += count_of(sample.events, Kind::fragment);
@@ -78,7 +79,7 @@ TEST_CASE("every event, the header and the totals are decoded unchanged") {
   }
 }
 
-TEST_CASE("encoding the decoded events yields the same bytes") {
+TEST_CASE("encoding the decoded events yields the bytes of the original stream") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -87,7 +88,7 @@ TEST_CASE("encoding the decoded events yields the same bytes") {
   }
 }
 
-TEST_CASE("the bytes do not depend on the portions that the output accepts") {
+TEST_CASE("the bytes of a stream do not depend on the portions that the output accepts") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -98,7 +99,7 @@ TEST_CASE("the bytes do not depend on the portions that the output accepts") {
   }
 }
 
-TEST_CASE("the events do not depend on the portions of the input or on refusals") {
+TEST_CASE("decoded events do not depend on the portions of the input or on refusals") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -131,7 +132,7 @@ TEST_CASE("random volumes in random memory are decoded unchanged") {
   }
 }
 
-TEST_CASE("headers with extreme values in each field are decoded unchanged") {
+TEST_CASE("headers with extreme values in every field are decoded unchanged") {
   StreamHeader header = any_header();
   header.width = Limits::max_extent;
   header.height = 1;
@@ -147,14 +148,14 @@ TEST_CASE("headers with extreme values in each field are decoded unchanged") {
   CHECK(reference::are_equal(decode(encode(Script().finish().events, header)).header, header));
 }
 
-TEST_CASE("the ball of DESIGN.md needs at most 9,000 bytes") {
+TEST_CASE("the ball in DESIGN.md needs at most 9,000 bytes") {
   const BitVolume volume = reference::ball({100, 100, 100}, {100, 100, 100}, 1002);
   const Events events = events_of(volume);
   CHECK(count_of(events, Kind::region) == 2328);
   CHECK(encode(events, header_of(volume)).size() <= 9000);
 }
 
-TEST_CASE("rings begin where the start is cheap to encode: at their last vertex, a corner") {
+TEST_CASE("rings in a stream begin at their last vertex, which is a corner") {
   Incidence incidence = no_incidence;
   Vertex start{0, 0, 0}, at{0, 0, 0};
   for (const RecordedEvent& recorded : events_of(golden_noise())) {
@@ -182,13 +183,13 @@ TEST_CASE("loose fragments match their golden stream") {
   CHECK(decode(bytes).events == events);
 }
 
-TEST_CASE("parts, fragments and marks match their golden stream") {
+TEST_CASE("parts of regions, fragments and layer marks match their golden stream") {
   const Bytes stream = encode(monstrous_events());
   CHECK(stream.size() == 21928);
   CHECK(crc32(stream.data(), stream.size()) == 0x2124030A);
 }
 
-TEST_CASE("fields of one to eight bytes are read as written, with zeros beyond the end") {
+TEST_CASE("integers of one to eight bytes are read back as written, and as zeros beyond the end") {
   Bytes bytes(1 + 2 + 4 + 8);
   uint8_t* place = detail::wire::put(bytes.data(), 0xFE, 1);
   place = detail::wire::put(place, 0x1234, 2);

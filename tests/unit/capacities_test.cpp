@@ -69,7 +69,7 @@ Status start_with(const Limits& limits, const Capacities& capacities, size_t byt
 
 }  // namespace
 
-TEST_CASE("memory of a size computed at compile time starts a scan") {
+TEST_CASE("memory of bytes computed at compile time suffices to start a scan") {
   reference::Collector collector;
   const Sink sink = collector.sink();
   Extractor16 extractor;
@@ -81,14 +81,14 @@ TEST_CASE("memory of a size computed at compile time starts a scan") {
         Status::ok);
 }
 
-TEST_CASE("the default capacities fit in the given bytes for any limits") {
+TEST_CASE("the default capacities fit in the given number of bytes for any limits") {
   for_each_limits([](const Limits& limits) {
     check_defaults_of_many_sizes<uint16_t>(limits);
     check_defaults_of_many_sizes<uint32_t>(limits);
   });
 }
 
-TEST_CASE("the default capacities fit in the given memory for each number of bytes") {
+TEST_CASE("the default capacities fit in memory of any size from the minimum") {
   for (const uint32_t width : {1U, 2U, 31U, 100U})
     for (uint64_t extra = 0; extra < 5000; ++extra) {
       const Limits limits{width, 5, extra % 2 == 0 ? Border::closed : Border::open};
@@ -100,7 +100,7 @@ TEST_CASE("the default capacities fit in the given memory for each number of byt
     }
 }
 
-TEST_CASE("the default capacities leave few bytes unused") {
+TEST_CASE("the default capacities leave only a few bytes unused") {
   for (uint64_t extra = 0; extra < 5000; ++extra) {
     const uint64_t bytes = Extractor16::minimum_bytes(small) + extra;
     const Capacities capacities = Extractor16::default_capacities(small, bytes);
@@ -110,7 +110,7 @@ TEST_CASE("the default capacities leave few bytes unused") {
   }
 }
 
-TEST_CASE("less memory than the minimum yields the minimum capacities") {
+TEST_CASE("memory below the minimum yields the minimum capacities") {
   const Capacities minimum = minimum_capacities();
   for (const uint64_t bytes : {uint64_t{0}, uint64_t{1}, Extractor16::minimum_bytes(small)}) {
     CHECK(at_most(Extractor16::default_capacities(small, bytes), minimum));
@@ -135,7 +135,7 @@ TEST_CASE("exactly bytes_for() bytes start a scan at any address, and one byte l
       }
 }
 
-TEST_CASE("fewer slots than the minimum, or more than an index counts, are refused") {
+TEST_CASE("fewer slots than the minimum, or more slots than an index counts, are refused") {
   const Capacities minimum = minimum_capacities();
   CHECK(detail::sizing::is_valid<uint16_t>(minimum));
   CHECK(detail::sizing::is_valid<uint32_t>(minimum));
@@ -162,7 +162,7 @@ TEST_CASE("the minimum lies below the worst case and does not grow with the numb
   });
 }
 
-TEST_CASE("the worst case never shrinks with more slices and saturates at the greatest number") {
+TEST_CASE("worst-case capacities never shrink with more slices, and saturate at the maximum") {
   constexpr Limits limits{1, 1};
   constexpr uint32_t slices =
       UINT32_MAX / detail::sizing::slots_per_cell / 4;  // of four cells each
@@ -175,7 +175,7 @@ TEST_CASE("the worst case never shrinks with more slices and saturates at the gr
   CHECK(at_most(worst_case_capacities(limits, UINT32_MAX), before));
 }
 
-TEST_CASE("a scan of 256 x 256 voxels works in 20 KiB, and one of 64 x 64 in 2.5 KiB") {
+TEST_CASE("scans of 256 x 256 and 64 x 64 voxels fit in 20 KiB and 2.5 KiB") {
   CHECK(Extractor16::minimum_bytes({256, 256}) <= 20 * 1024);
   CHECK(Extractor16::minimum_bytes({64, 64}) <= 2560);
 }

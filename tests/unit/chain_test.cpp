@@ -41,7 +41,7 @@ std::vector<Run> closed_chain(Incidence incidence, uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("a run stores its direction and length up to the longest run") {
+TEST_CASE("a run stores its direction and any length up to the maximum") {
   for (Direction direction = 0; direction < max_directions; ++direction)
     for (const uint32_t length : {1U, 2U, 1000U, Run::max_length}) {
       const Run run = Run::straight(direction, length);
@@ -54,7 +54,7 @@ TEST_CASE("a run stores its direction and length up to the longest run") {
   CHECK(Run().is_empty());
 }
 
-TEST_CASE("a run merges with another run of its direction up to the maximal length") {
+TEST_CASE("a run absorbs another run of its direction up to the maximal length") {
   Run run = Run::straight(3, 5);
   CHECK(run.absorb(Run::straight(3, 2)));
   CHECK(run == Run::straight(3, 7));
@@ -80,7 +80,7 @@ TEST_CASE("an empty run does not absorb the first links of direction 0") {
   CHECK(run == Run::straight(0, 4));
 }
 
-TEST_CASE("a chain that returns to its start along its own links is closed and has no area") {
+TEST_CASE("a chain that returns along its own links is closed and has zero area") {
   for_each_incidence([](Incidence incidence) {
     const int half = direction_count(incidence) / 2;
     for (int direction = 0; direction < half; ++direction) {

@@ -37,13 +37,13 @@ void check_every_row(size_t max_bytes) {
 
 }  // namespace
 
-TEST_CASE("a checkpoint at any row continues the scan with the same bytes, on any output") {
+TEST_CASE("a checkpoint at any row continues the stream with the same bytes, on any output") {
   check_every_row<uint16_t>(SIZE_MAX);
   check_every_row<uint32_t>(SIZE_MAX);
   check_every_row<uint16_t>(5);  // bytes at a time
 }
 
-TEST_CASE("a scan restored from checkpoint after checkpoint makes the same stream") {
+TEST_CASE("a scan saved and restored repeatedly yields the same stream") {
   for (const Scan& scan : scans()) {
     CAPTURE(scan.name);
     auto first = device_for<uint16_t>(scan);
@@ -101,7 +101,7 @@ TEST_CASE("a flipped bit anywhere in a checkpoint is detected") {
   CHECK(other.restore(image) == Status::ok);
 }
 
-TEST_CASE("a finished scan is restored as finished") {
+TEST_CASE("a checkpoint of a finished scan is restored as finished") {
   const Scan scan = scans().front();
   auto device = device_for<uint16_t>(scan);
   device.start();
@@ -114,7 +114,7 @@ TEST_CASE("a finished scan is restored as finished") {
   CHECK(other.store.bytes.empty());
 }
 
-TEST_CASE("save() of an extractor is suspended while any event is due") {
+TEST_CASE("save() of an extractor is suspended while an event is pending") {
   const BitVolume volume = random({5, 5, 5}, 128, 4);
   EventLog log(reference::refuses_first);
   std::set<Event::Kind> waited_for;

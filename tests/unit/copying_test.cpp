@@ -16,7 +16,7 @@ constexpr bool stays_where_it_is =
 
 }  // namespace
 
-TEST_CASE("types that work in the caller's memory or point into themselves cannot be copied") {
+TEST_CASE("types that use the caller's memory or point into themselves cannot be copied") {
   static_assert(stays_where_it_is<Extractor16> && stays_where_it_is<Extractor32> &&
                     stays_where_it_is<HostExtractor> &&
                     stays_where_it_is<NormalExtractor16<int16_t>>,
@@ -34,7 +34,7 @@ TEST_CASE("types that work in the caller's memory or point into themselves canno
   static_assert(stays_where_it_is<SurfaceGroup<Extractor16>>, "each would miss rows");
 }
 
-TEST_CASE("saved objects are plain bytes") {
+TEST_CASE("savable objects are trivially copyable") {
   static_assert(std::is_trivially_copyable_v<Extractor16> &&
                     std::is_trivially_copyable_v<NormalExtractor16<int16_t>> &&
                     std::is_trivially_copyable_v<Encoder> &&

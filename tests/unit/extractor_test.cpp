@@ -67,7 +67,7 @@ std::vector<uint8_t> bits_of(const BitVolume& volume, size_t row) {
 
 }  // namespace
 
-TEST_CASE("portions of any size, down to one sample, give the same events") {
+TEST_CASE("portions of any size, down to one sample, yield the same events") {
   const BitVolume volume = random({33, 5, 4}, 120, 3);
   for (const Border border : {Border::closed, Border::open}) {
     const EventLog expected = plain_scan(volume, border);
@@ -81,7 +81,7 @@ TEST_CASE("portions of any size, down to one sample, give the same events") {
   }
 }
 
-TEST_CASE("every sample type and stride gives the same events") {
+TEST_CASE("every sample type and stride yields the same events") {
   check_samples<uint8_t>(1, 1, 0);
   check_samples<uint8_t>(255, 255, 254);
   check_samples<uint16_t>(256, 256, 255);
@@ -107,7 +107,7 @@ TEST_CASE("push() reads nothing beyond the last sample for any stride") {
   }
 }
 
-TEST_CASE("a threshold below the sample range switches all voxels on, and one above it none") {
+TEST_CASE("a threshold below all samples switches all voxels on, and one above all samples none") {
   const Limits limits{3, 3, Border::closed};
   const std::vector<uint8_t> bytes(27, 0);
   const std::vector<uint8_t> full(27, 255);
@@ -126,7 +126,7 @@ TEST_CASE("a threshold below the sample range switches all voxels on, and one ab
   CHECK(regions_at(65536, high, limits) == 0);
 }
 
-TEST_CASE("widths on either side of a word's end are swept as in the paper") {
+TEST_CASE("rows whose width is near a multiple of a word are swept as in the paper") {
   for (const uint32_t width : boundary_widths)
     for (const Border border : {Border::closed, Border::open})
       for (const uint32_t density : {60U, 128U, 256U}) {
@@ -138,7 +138,7 @@ TEST_CASE("widths on either side of a word's end are swept as in the paper") {
       }
 }
 
-TEST_CASE("rows of bits give the same events as samples, and bits beyond the row are ignored") {
+TEST_CASE("rows of bits yield the same events as samples, and bits beyond the row are ignored") {
   for (const uint32_t width : boundary_widths)
     for (const Border border : {Border::closed, Border::open}) {
       const BitVolume volume = random({width, 4, 3}, 140, width);
@@ -155,7 +155,7 @@ TEST_CASE("rows of bits give the same events as samples, and bits beyond the row
     }
 }
 
-TEST_CASE("a skipped row is off or repeats the row before, across slices too, and is reported") {
+TEST_CASE("a skipped row is off or repeats the row before, even across slices, and is reported") {
   for (const uint32_t width : boundary_widths)
     for (uint32_t pattern = 0; pattern < 27; ++pattern) {
       BitVolume volume = random({width, 3, 3}, 130, pattern);
@@ -188,7 +188,7 @@ TEST_CASE("a skipped row is off or repeats the row before, across slices too, an
     }
 }
 
-TEST_CASE("an abandoned scan has the surface of its samples with the rest of the slice off") {
+TEST_CASE("an abandoned scan has the surface of its samples, with the rest of the slice off") {
   for (const Border border : {Border::closed, Border::open})
     for (const Size size : {Size{4, 3, 3}, Size{1, 1, 4}, Size{3, 1, 3}, Size{1, 4, 2}}) {
       const BitVolume whole = random(size, 170, size.width);
@@ -254,7 +254,8 @@ TEST_CASE("the start event contains the extractor's limits and threshold") {
   }
 }
 
-TEST_CASE("a busy sink receives the start later: start() and reset() are suspended") {
+TEST_CASE(
+    "start() and reset() are suspended while the sink is busy, and the start event follows later") {
   struct Busy {
     SinkResult accept(const Event& event) {
       if (is_busy) return SinkResult::busy;

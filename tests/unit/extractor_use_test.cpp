@@ -74,12 +74,12 @@ void check_refused_starts() {
 
 }  // namespace
 
-TEST_CASE("an invalid start() is refused and leaves the memory untouched") {
+TEST_CASE("an invalid start() is refused and leaves the memory unchanged") {
   check_refused_starts<uint16_t>();
   check_refused_starts<uint32_t>();
 }
 
-TEST_CASE("before start() every call returns not_started") {
+TEST_CASE("an extractor returns not_started from every call before start()") {
   Extractor16 extractor;
   const uint8_t sample = 1;
   CHECK(extractor.push(&sample, 1).status == Status::not_started);
@@ -92,7 +92,7 @@ TEST_CASE("before start() every call returns not_started") {
   CHECK(extractor.reset() == Status::not_started);
 }
 
-TEST_CASE("after the end push() returns finished, and ending again has no effect") {
+TEST_CASE("after finish() push() returns finished, and a second finish() has no effect") {
   for (const bool abandon : {false, true}) {
     const uint8_t samples[9] = {0, 0, 0, 0, 1, 0, 0, 0, 0};
     Bench<uint16_t> bench({3, 3});
@@ -123,7 +123,8 @@ TEST_CASE("a start() with too little memory ends the previous scan") {
   CHECK(bench.extractor.reset() == Status::not_started);
 }
 
-TEST_CASE("start() with an unstarted sink ends the scan, and other errors keep it") {
+TEST_CASE(
+    "start() with an unstarted sink ends the previous scan, and other errors preserve the scan") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   EventLog log;
   Block block(1 << 14), other(1 << 14);
@@ -148,7 +149,7 @@ TEST_CASE("start() with an unstarted sink ends the scan, and other errors keep i
   CHECK(extractor.finish() == Status::not_started);
 }
 
-TEST_CASE("reset() changes nothing if the sink is not started") {
+TEST_CASE("reset() has no effect if the sink is not started") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   struct Once {
     SinkResult accept(const Event& event) {
@@ -168,7 +169,7 @@ TEST_CASE("reset() changes nothing if the sink is not started") {
   CHECK(sink.log.events == events_of(volume).events);
 }
 
-TEST_CASE("finish() in the middle of a slice is refused and changes nothing") {
+TEST_CASE("finish() in the middle of a slice is refused and has no effect") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   Bench<uint16_t> bench({3, 3});
   for (uint32_t i = 0; i < 18; ++i) {
@@ -188,7 +189,7 @@ TEST_CASE("finish() in the middle of a slice is refused and changes nothing") {
   CHECK(bench.log.events == events_of(volume).events);
 }
 
-TEST_CASE("push_bits() and skip_row() in the middle of a row are refused and change nothing") {
+TEST_CASE("push_bits() and skip_row() in the middle of a row are refused and have no effect") {
   const BitVolume volume = random({5, 3, 2}, 128, 4);
   Bench<uint16_t> bench({5, 3});
   const uint8_t bits = 0x1F;
@@ -207,7 +208,7 @@ TEST_CASE("push_bits() and skip_row() in the middle of a row are refused and cha
   CHECK(bench.log.events == events_of(volume).events);
 }
 
-TEST_CASE("a scan without slices is empty") {
+TEST_CASE("a scan without slices yields an empty surface") {
   for (const Border border : {Border::closed, Border::open})
     for (const Size size : {Size{1, 1, 0}, Size{5, 3, 0}}) {
       Bench<uint16_t> bench({size.width, size.height, border});
@@ -228,7 +229,7 @@ TEST_CASE("a single voxel, row, column or slice with an open border has no surfa
   }
 }
 
-TEST_CASE("each period of 100,000 thin slices gives the same number of regions") {
+TEST_CASE("each period of a scan of 100,000 thin slices yields the same number of regions") {
   for (const Border border : {Border::closed, Border::open})
     for (const Limits limits : {Limits{1, 1, border}, Limits{2, 2, border}, Limits{3, 1, border}}) {
       const uint32_t slice = limits.width * limits.height;
@@ -253,7 +254,7 @@ TEST_CASE("each period of 100,000 thin slices gives the same number of regions")
     }
 }
 
-TEST_CASE("a surface across 100,000 slices needs only a few bytes") {
+TEST_CASE("a surface across 100,000 slices needs only a few bytes of memory") {
   Bench<uint16_t> bench({3, 3}, 1, 8000);
   const std::vector<uint8_t> slice(9, 1);
   for (uint32_t i = 0; i < 100000; ++i) require_ok(bench.extractor.push(slice.data(), 9).status);
@@ -261,7 +262,7 @@ TEST_CASE("a surface across 100,000 slices needs only a few bytes") {
   CHECK(collected(bench.log.events).regions().size() == 26);
 }
 
-TEST_CASE("a slab's finish event counts its own slices, and the sum is the volume's depth") {
+TEST_CASE("a slab's finish event counts the slab's own slices, which add up to the depth") {
   const BitVolume volume = random({5, 5, 20}, 128, 3);
   struct Last {
     uint32_t slices = 0;
@@ -288,7 +289,7 @@ TEST_CASE("a slab's finish event counts its own slices, and the sum is the volum
   CHECK(slices_of({7, true, true}, 6, 7) == 0);
 }
 
-TEST_CASE("memory may begin at any address") {
+TEST_CASE("the memory of an extractor may begin at any address") {
   const BitVolume volume = random({9, 8, 7}, 100, 1);
   const Limits limits = limits_of(volume, Border::closed);
   const EventLog expected = events_of(volume);
@@ -305,7 +306,7 @@ TEST_CASE("memory may begin at any address") {
   }
 }
 
-TEST_CASE("bytes_used() is the high-water mark, and memory beyond it is untouched") {
+TEST_CASE("bytes_used() is the high-water mark, and memory beyond the mark is unchanged") {
   const BitVolume volume = random({9, 8, 7}, 100, 1);
   const Limits limits = limits_of(volume, Border::closed);
   const size_t bytes = Extractor16::bytes_for(limits, ample);
@@ -330,7 +331,7 @@ TEST_CASE("bytes_used() is the high-water mark, and memory beyond it is untouche
   CHECK(extractor.bytes_used() < used);
 }
 
-TEST_CASE("the peaks lie within the capacities and suffice as capacities for the same scan") {
+TEST_CASE("peaks are within the capacities and suffice as capacities for the same scan") {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const BitVolume volume = random({12, 9, 7}, 60 + 10 * static_cast<uint32_t>(seed), seed);
     const Limits limits = limits_of(volume, Border::closed);
@@ -353,7 +354,7 @@ TEST_CASE("the peaks lie within the capacities and suffice as capacities for the
   }
 }
 
-TEST_CASE("default-constructed objects are all zeros, so static ones need no flash") {
+TEST_CASE("default-constructed objects are all zeros") {
   CHECK(begins_as_zero<Extractor16>());
   CHECK(begins_as_zero<Encoder>());
 }

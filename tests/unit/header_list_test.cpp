@@ -33,7 +33,7 @@ std::set<std::string> included_by(const std::string& header) {
 
 }  // namespace
 
-TEST_CASE("the map of the library lists every user header and every folder") {
+TEST_CASE("docs/README.md lists every user header and every folder of the library") {
   const std::string map = text_of(fs::path(DISCMC_SOURCE_DIR) / "docs/README.md");
   size_t headers = 0, rooms = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(library / "discmc")) {
@@ -65,7 +65,7 @@ const std::map<std::string, std::set<std::string>> reached_folders = {
     {"trace", {"base", "geometry"}},
 };
 
-TEST_CASE("a folder of the library includes the folders of its list, and no other") {
+TEST_CASE("a folder of the library includes headers of exactly its listed folders") {
   std::map<std::string, std::set<std::string>> found;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(library / "discmc")) {
     const std::string folder = entry.path().parent_path().filename().string();
@@ -100,7 +100,7 @@ TEST_CASE("the page of statuses lists every status of C++ and C with a remedy") 
   CHECK(check_all("discmc/discmc.h", "typedef uint8_t discmc_status", "DISCMC_[A-Z_]+") > 15);
 }
 
-TEST_CASE("discmc.hpp includes the whole interface") {
+TEST_CASE("discmc.hpp includes all user headers") {
   const std::set<std::string> included = included_by("discmc/discmc.hpp");
   for (const fs::directory_entry& entry : fs::directory_iterator(library / "discmc")) {
     const std::string name = entry.path().filename().string();

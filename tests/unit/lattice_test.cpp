@@ -19,7 +19,7 @@ int odd_coordinates(const Vertex& vector) {
 
 }  // namespace
 
-TEST_CASE("vectors add, subtract and multiply by component") {
+TEST_CASE("vertices add, subtract and multiply by component") {
   constexpr Vertex a{1, -2, 3};
   constexpr Vertex b{-4, 5, 6};
   CHECK(a + b == Vertex{-3, 3, 9});
@@ -34,7 +34,8 @@ TEST_CASE("vectors add, subtract and multiply by component") {
   CHECK(dot_product(cross(a, b), a) == 0);
 }
 
-TEST_CASE("incidences and normals convert both ways, and opposites are opposite") {
+TEST_CASE(
+    "incidences and normals convert both ways, and opposite incidences have opposite normals") {
   CHECK(incidence_normal(no_incidence) == Vertex{0, 0, 0});
   for_each_incidence([](Incidence incidence) {
     CHECK(incidence_of(incidence_normal(incidence)) == incidence);
@@ -52,7 +53,7 @@ TEST_CASE("there are 6 axis, 12 diagonal and 8 corner incidences") {
   CHECK(count[3] == 8);
 }
 
-TEST_CASE("the links are 12 diagonals and 6 axis vectors of length 2, all different") {
+TEST_CASE("links are 12 diagonal vectors and 6 axis vectors of length 2, all different") {
   int diagonals = 0;
   int axes = 0;
   for (Link link = 0; link < link_codes; ++link) {
@@ -65,18 +66,18 @@ TEST_CASE("the links are 12 diagonals and 6 axis vectors of length 2, all differ
   CHECK(axes == 6);
 }
 
-TEST_CASE("the opposite of a link is opposite") {
+TEST_CASE("the opposite of a link has the opposite vector") {
   for (Link link = 0; link < link_codes; ++link)
     CHECK(link_vector(opposite_link(link)) == -link_vector(link));
 }
 
-TEST_CASE("every link has a vector") {
+TEST_CASE("link_of() rejects vectors that are no link") {
   CHECK(detail::derive::link_of(detail::link_table, {0, 0, 0}) == link_codes);
   CHECK(detail::derive::link_of(detail::link_table, {1, 1, 1}) == link_codes);
   CHECK(detail::derive::link_of(detail::link_table, {2, 2, 0}) == link_codes);
 }
 
-TEST_CASE("the directions of an incidence are the links in its planes, each of them once") {
+TEST_CASE("the directions of an incidence are exactly the links in its planes") {
   for_each_incidence([](Incidence incidence) {
     for (Link link = 0; link < link_codes; ++link) {
       const Direction direction = direction_of(incidence, link);
@@ -90,7 +91,7 @@ TEST_CASE("the directions of an incidence are the links in its planes, each of t
   });
 }
 
-TEST_CASE("directions go round counter-clockwise seen from the tip of the normal") {
+TEST_CASE("directions are counter-clockwise seen from the tip of the normal") {
   for_each_incidence([](Incidence incidence) {
     const Direction count = direction_count(incidence);
     for (Direction direction = 0; direction < count; ++direction) {
@@ -107,7 +108,7 @@ TEST_CASE("directions go round counter-clockwise seen from the tip of the normal
   });
 }
 
-TEST_CASE("the direction half a round further is the opposite one") {
+TEST_CASE("the direction half a revolution further is the opposite direction") {
   for_each_incidence([](Incidence incidence) {
     for (Direction direction = 0; direction < direction_count(incidence); ++direction)
       CHECK(direction_vector(incidence, opposite_direction(incidence, direction)) ==
@@ -115,7 +116,7 @@ TEST_CASE("the direction half a round further is the opposite one") {
   });
 }
 
-TEST_CASE("a turn leads from one direction to another the shorter way") {
+TEST_CASE("turn() returns the shorter rotation from one direction to another") {
   for_each_incidence([](Incidence incidence) {
     const int count = direction_count(incidence);
     for (Direction from = 0; from < count; ++from)
@@ -128,7 +129,7 @@ TEST_CASE("a turn leads from one direction to another the shorter way") {
   });
 }
 
-TEST_CASE("links derived at run time equal those of the compiler") {
+TEST_CASE("links derived at run time equal the compile-time links") {
   LinkTable derived{};
   derived = detail::derive::link_table();  // a constant would be derived by the compiler
   for (Link link = 0; link < link_codes; ++link)

@@ -12,7 +12,7 @@ static_assert(!Limits{0, 1}.is_valid() && !Limits{1, 0}.is_valid() &&
               "extents are 1 to 32766");
 static_assert(!Limits{1, 1, static_cast<Border>(2)}.is_valid(), "a border is closed or open");
 
-TEST_CASE("only a slab above another one has a first slice") {
+TEST_CASE("limits of a slab are valid if only a slab above another slab has a first slice") {
   const auto is_valid = [](const Slab& slab) { return Limits{4, 4, {}, slab}.is_valid(); };
   CHECK(is_valid({}));
   CHECK(is_valid({0, false, true}));

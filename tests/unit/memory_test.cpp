@@ -5,7 +5,7 @@
 
 using namespace discmc;
 
-TEST_CASE("memory_of() covers all bytes of an array of any item type") {
+TEST_CASE("memory_of() covers all bytes of an array of any element type") {
   uint8_t bytes[7];
   uint32_t words[3];
   std::array<std::byte, 5> wrapped{};

@@ -73,7 +73,8 @@ SampleVolume<Sample> clouds(Size size, uint64_t seed, uint32_t most = 255) {
 
 }  // namespace
 
-TEST_CASE("a scan with normals sends the same surface, plus the normals of a second pass") {
+TEST_CASE(
+    "a scan with normals sends the same surface, with the normals computed in a second pass") {
   for (const Size size : {Size{1, 1, 1}, Size{2, 3, 1}, Size{1, 4, 5}, Size{7, 5, 6},
                           Size{16, 12, 9}, Size{33, 9, 7}})
     for (const Border border : {Border::closed, Border::open})
@@ -85,7 +86,7 @@ TEST_CASE("a scan with normals sends the same surface, plus the normals of a sec
 }
 
 TEST_CASE(
-    "normals in a slab equal those of the whole scan if the surrounding samples are in the slab") {
+    "normals in a slab equal normals of the whole scan if the slab has the surrounding samples") {
   // Below and above the only on samples there are enough slices for their normals.
   constexpr uint32_t width = 9, height = 8, margin = 4, first = 2;
   SampleVolume<uint8_t> volume = clouds<uint8_t>({width, height, 6 + 2 * margin}, 7);
@@ -109,7 +110,7 @@ TEST_CASE(
   CHECK(regions_of(events_of<uint16_t, Normals>(volume, setting)) == whole);
 }
 
-TEST_CASE("normals do not depend on chunks or on a sink that refuses") {
+TEST_CASE("normals do not depend on portions of samples or on a sink that refuses events") {
   const Size size{9, 8, 7};
   const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 42);
   Setting setting{128, Border::closed, ample};
@@ -122,7 +123,7 @@ TEST_CASE("normals do not depend on chunks or on a sink that refuses") {
     }
 }
 
-TEST_CASE("under pressure normals are right in loose fragments too") {
+TEST_CASE("normals of loose fragments are right if memory is short") {
   const Size size{24, 20, 12};
   for (uint64_t seed = 0; seed < 4; ++seed)
     for (const uint32_t slots : {4U, 5U, 30U, 100U, 300U, 1000U}) {
@@ -131,7 +132,7 @@ TEST_CASE("under pressure normals are right in loose fragments too") {
     }
 }
 
-TEST_CASE("a new scan is independent of the previous one") {
+TEST_CASE("a new scan with normals is independent of the previous scan") {
   const SampleVolume<uint8_t> before = clouds<uint8_t>({11, 9, 3}, 1);
   const SampleVolume<uint8_t> volume = clouds<uint8_t>({7, 5, 6}, 2);
   const Setting setting{128, Border::closed, ample};
@@ -153,7 +154,7 @@ TEST_CASE("a new scan is independent of the previous one") {
   CHECK(log.events == events_of<uint16_t, Normals>(volume, setting));
 }
 
-TEST_CASE("thresholds below or above all samples give the same surface with normals") {
+TEST_CASE("thresholds below or above all samples yield the same surface with and without normals") {
   const Size size{5, 4, 3};
   for (const int32_t threshold : {INT32_MIN, -1, 0, 1, 255, 256, INT32_MAX})
     check_agreement(clouds<uint8_t>(size, 3), {threshold, Border::closed, ample});
@@ -185,7 +186,7 @@ TEST_CASE("the normals at the corners of a ball point outwards") {
   CHECK(starts > 1000);
 }
 
-TEST_CASE("a small scan with normals sends the same surface, also at open borders and seams") {
+TEST_CASE("a small scan with normals sends the same surface, even at open borders and seams") {
   constexpr Capacities few{500, 60};
   for (const uint32_t height : {1U, 2U, 4U})
     for (const Border border : {Border::closed, Border::open})
@@ -198,7 +199,7 @@ TEST_CASE("a small scan with normals sends the same surface, also at open border
       }
 }
 
-TEST_CASE("a slice is swept one slice and one row later, with four slices and six rows of memory") {
+TEST_CASE("an extractor with normals sweeps a slice one slice and one row later") {
   using Normals = WithNormals<uint8_t>;
   const Limits limits{8, 3};
   CHECK(Normals::bytes_for(limits) == (4 * 3 + 6) * (8 + sizeof(uint16_t)) + 2 * red_zone_bytes);
@@ -284,7 +285,7 @@ SampleVolume<uint8_t> with_gaps(SampleVolume<uint8_t> volume, const std::vector<
 
 }  // namespace
 
-TEST_CASE("skipped rows and unfinished slices with normals send the same surface as without") {
+TEST_CASE("skipped rows and unfinished slices yield the same surface with and without normals") {
   for (uint64_t seed = 0; seed < 200; ++seed) {
     const Size size{1 + static_cast<uint32_t>(seed % 7), 1 + static_cast<uint32_t>(seed % 5),
                     1 + static_cast<uint32_t>(seed % 6)};
@@ -304,7 +305,7 @@ TEST_CASE("skipped rows and unfinished slices with normals send the same surface
   }
 }
 
-TEST_CASE("normals beside skipped rows are those of the substitutes, or of samples just off") {
+TEST_CASE("normals beside skipped rows use the substitutes, or samples just below the threshold") {
   const Size size{5, 4, 6};
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
@@ -320,8 +321,7 @@ TEST_CASE("normals beside skipped rows are those of the substitutes, or of sampl
   }
 }
 
-TEST_CASE(
-    "normals of an abandoned scan are those of a slice whose remaining samples are just off") {
+TEST_CASE("missing samples of an abandoned scan count as just below the threshold for normals") {
   const Size size{4, 3, 5};
   const Limits limits{size.width, size.height};
   const int32_t threshold = 100;
@@ -343,7 +343,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a scan with normals is saved between rows and continues with the same events") {
+TEST_CASE("a scan with normals restored between rows continues with the same events") {
   const Size size{8, 6, 5};
   const Limits limits{size.width, size.height};
   const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 9);
@@ -372,7 +372,7 @@ TEST_CASE("a scan with normals is saved between rows and continues with the same
   }
 }
 
-TEST_CASE("a checkpoint of another sample type is refused") {
+TEST_CASE("restore() refuses a checkpoint of another sample type") {
   using Scan = NormalExtractor16<uint16_t>;
   using Other = NormalExtractor16<int16_t>;
   const Limits limits{8, 6};
@@ -389,7 +389,7 @@ TEST_CASE("a checkpoint of another sample type is refused") {
   CHECK(scan.restore(block.memory(), make_sink(log)) == Status::ok);
 }
 
-TEST_CASE("memory for normals is required and counted in bytes_used()") {
+TEST_CASE("memory for normals is required at the start and counted in bytes_used()") {
   const Limits limits{16, 9};
   using Normals = WithNormals<uint16_t>;
   const size_t minimum = detail::sizing::minimum_bytes<uint16_t, Normals>(limits);

@@ -76,7 +76,8 @@ void check_window(Size size, uint32_t chunk, Chance& chance) {
 
 }  // namespace
 
-TEST_CASE("gradients are central differences at every vertex, and one-sided at the border") {
+TEST_CASE(
+    "gradients are central differences at every vertex and one-sided differences at the border") {
   Chance chance(11);
   for (uint32_t depth = 1; depth <= 6; ++depth)
     for (uint32_t height = 1; height <= 4; ++height)
@@ -88,7 +89,7 @@ TEST_CASE("gradients are central differences at every vertex, and one-sided at t
         }
 }
 
-TEST_CASE("a window covers a vertex until its slices have passed") {
+TEST_CASE("a window covers a vertex while all slices around the vertex are stored") {
   StartedWindow window({2, 1});
   const uint8_t slice[2] = {1, 2};
   const Vertex between{0, 0, 5};  // slices 2 and 3: reads 1 to 4
@@ -106,7 +107,7 @@ TEST_CASE("a window covers a vertex until its slices have passed") {
   CHECK(window.block.is_intact());
 }
 
-TEST_CASE("gradients use the rows of an unfinished slice") {
+TEST_CASE("gradients include the rows of an unfinished slice") {
   StartedWindow window({2, 2});
   const uint8_t samples[] = {10, 10, 10, 10, 20, 20, 20, 20, 70, 70};  // two slices and a row
   REQUIRE(window.push(samples, 10) == Status::ok);
@@ -129,7 +130,7 @@ TEST_CASE("the first row of a new slice removes the oldest slice from the window
   CHECK(window.covers({0, 1, 4}));  // reads 1 to 3
 }
 
-TEST_CASE("a window that has ended can be started again for another pass") {
+TEST_CASE("a finished window can be restarted for another pass") {
   const Limits limits{2, 1};
   Block block(SampleWindow<uint8_t>::bytes_for(limits));
   SampleWindow<uint8_t> window;
@@ -156,7 +157,7 @@ TEST_CASE("a sample window accepts samples with a stride") {
 }
 
 TEST_CASE(
-    "a window refuses invalid limits and too little memory, and leaves the memory untouched") {
+    "a window refuses invalid limits and too little memory, and leaves the memory unchanged") {
   Block block(SampleWindow<uint16_t>::bytes_for({8, 8}));
   const Memory memory = block.memory();
   SampleWindow<uint16_t> window;

@@ -5,7 +5,7 @@
 
 using namespace discmc;
 
-TEST_CASE("every status has a unique text, and other numbers are an unknown status") {
+TEST_CASE("every status has a unique text, and other numbers have the text of an unknown status") {
   std::set<std::string> texts;
   const auto last = static_cast<int>(Status::device_error);
   for (int i = 0; i <= last; ++i) texts.insert(to_string(static_cast<Status>(i)));

@@ -54,14 +54,14 @@ TEST_CASE("an extractor refuses an unstarted encoder, directly or behind a joine
   CHECK(extractor.finish() == Status::not_started);
 }
 
-TEST_CASE("a decoder reports an unstarted encoder and continues once it is started") {
+TEST_CASE("a decoder reports an unstarted encoder, and continues after the encoder is started") {
   Encoder encoder;
   Decoder decoder;
   require_ok(decoder.start(make_sink(encoder)));
   check_refusal(decoder, encoder, regions());
 }
 
-TEST_CASE("a decoder reports an unstarted joiner, or an unstarted encoder behind it") {
+TEST_CASE("a decoder reports an unstarted joiner, and an unstarted encoder behind a joiner") {
   Encoder encoder;
   Joiner joiner;
   Decoder decoder;
@@ -99,7 +99,7 @@ TEST_CASE("a surface decoder reports an unstarted encoder for both kinds of stre
   }
 }
 
-TEST_CASE("an encoder refuses events before the header of their stream") {
+TEST_CASE("an encoder refuses events before the header of the stream") {
   std::vector<Bytes> frames = frames_of(regions());
   REQUIRE(frames.size() > 2);
   frames.erase(frames.begin());

@@ -10,7 +10,7 @@ static int slices = 1, stream = 2, trace = 3, join = 4, wire = 5, links = 6, mov
 
 using namespace discmc;
 
-TEST_CASE("names of a program are not ambiguous after using namespace discmc") {
+TEST_CASE("using namespace discmc does not make common names of a program ambiguous") {
   CHECK(slices + stream + trace + join + wire + links + move + add + dot + normal + derive +
             sizing ==
         78);

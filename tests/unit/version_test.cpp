@@ -21,7 +21,7 @@ std::string version_after(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("the version consists of its three numbers, in the library and the headers") {
+TEST_CASE("the version consists of major, minor and patch, in the library and the headers") {
   const std::string version = DISCMC_VERSION_STRING;
   CHECK(version == std::to_string(DISCMC_VERSION_MAJOR) + "." +
                        std::to_string(DISCMC_VERSION_MINOR) + "." +
@@ -29,7 +29,7 @@ TEST_CASE("the version consists of its three numbers, in the library and the hea
   CHECK(version == discmc::version());
 }
 
-TEST_CASE("all files contain the same version") {
+TEST_CASE("all files of the project contain the same version") {
   const std::string version = DISCMC_VERSION_STRING;
   CHECK(version_after("project\\(discmc\\s+VERSION ", "CMakeLists.txt") == version);
   CHECK(version_after("project\\(discmc\\s+VERSION ", "packaging/CMakeLists.txt") == version);

@@ -9,7 +9,8 @@ using namespace volume_files;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 
-TEST_CASE_FIXTURE(Folder, "a file that needs a library is refused by the name of the library") {
+TEST_CASE_FIXTURE(
+    Folder, "a file that needs a missing library is refused, and the error names the library") {
   check_refused(files / "dicom/series", "built without DCMTK and OpenJPEG");
   check_refused(files / "dicom/u16.dcm", "install libdcmtk-dev");
   check_refused(files / "pictures/u16.tif", "built without LibTIFF; install libtiff-dev");
@@ -25,7 +26,7 @@ TEST_CASE_FIXTURE(Folder, "a file that needs a library is refused by the name of
                     doctest::Contains("built without Assimp; install"));
 }
 
-TEST_CASE("formats that need no library are read") {
+TEST_CASE("files in formats that need no library are read") {
   check_volume(files / "nrrd/u16-little.nrrd", SampleType::u16, "NRRD, raw");
   CHECK(open_volume(files / "pictures/stack")->info().format == "PNG");
 }

@@ -95,7 +95,7 @@ using State = TriggeredScan::State;
 
 }  // namespace
 
-TEST_CASE("gaps in the numbers of edges are the missed edges") {
+TEST_CASE("gaps in the numbers of received edges count as missed edges") {
   EdgeCounter counter;
   CHECK(counter.missed_before(numbered_edge(1)) == 0);
   CHECK(counter.missed_before(numbered_edge(2)) == 0);
@@ -108,7 +108,7 @@ TEST_CASE("edges missed before the first received edge count as missed") {
   CHECK(counter.missed_before(numbered_edge(4)) == 3);
 }
 
-TEST_CASE("the numbers of edges may wrap") {
+TEST_CASE("edge numbers that wrap to 0 cause no missed edges") {
   EdgeCounter counter;
   (void)counter.missed_before(numbered_edge(0xFFFFFFFE));
   CHECK(counter.missed_before(numbered_edge(1)) == 2);
@@ -123,13 +123,13 @@ TEST_CASE("a long interval counts as missed edges only if the queue was full bef
   CHECK(counter.long_intervals() == 1);
 }
 
-TEST_CASE("an interval of one period after a full queue is no loss") {
+TEST_CASE("an interval of one period after a full queue counts as no missed edge") {
   EdgeCounter counter;
   for (std::uint64_t i = 0; i < 16; ++i) (void)counter.missed_before(edge_at(i * 2 * ms));
   CHECK(counter.missed_before(edge_at(32 * ms, true)) == 0);
 }
 
-TEST_CASE("edges dropped by a full queue are counted for any pace, jitter and pauses") {
+TEST_CASE("edges dropped by a full queue count as missed for any pace, jitter and pauses") {
   Chance chance(1);
   for (int round = 0; round < 300; ++round) {
     const std::uint64_t period = 20'000 + chance.next() % (20 * ms);
@@ -179,7 +179,7 @@ TEST_CASE("a bouncing button counts as pressed once") {
   CHECK(button.update(false, 303 * ms) == Button::Press::none);
 }
 
-TEST_CASE("1,000 edges are 1,000 rows, and the scan ends") {
+TEST_CASE("1,000 edges yield 1,000 rows and end the scan") {
   const ScanPlan plan = plan_of(30, 20, 50);
   Stage stage(plan);
   stage.edges(999);
@@ -190,7 +190,7 @@ TEST_CASE("1,000 edges are 1,000 rows, and the scan ends") {
   CHECK(stage.stream() == expected_stream(plan, 1000));
 }
 
-TEST_CASE("the row of a missed edge is skipped, and other rows keep their place") {
+TEST_CASE("a missed edge skips its row, and later rows keep their row numbers") {
   const ScanPlan plan = plan_of(30, 20, 50);
   Stage stage(plan);
   std::set<std::uint32_t> missed;
@@ -220,7 +220,7 @@ TEST_CASE("more missed edges than remaining rows end the scan") {
   CHECK(stage.recording.scan.rows() == 20);
 }
 
-TEST_CASE("a button starts, pauses and ends a scan, and edges in between are no rows") {
+TEST_CASE("a button starts, pauses and ends a scan, and edges during a pause yield no rows") {
   const ScanPlan plan = plan_of(30, 20, 50);
   Stage stage(plan, true);
   stage.edges(7);
@@ -240,7 +240,8 @@ TEST_CASE("a button starts, pauses and ends a scan, and edges in between are no 
   CHECK(stage.stream() == expected_stream(plan, 600));
 }
 
-TEST_CASE("an end-stop between slices completes the stream, and one within a slice abandons it") {
+TEST_CASE(
+    "an end-stop between slices completes the stream, and one within a slice abandons the stream") {
   const ScanPlan plan = plan_of(30, 20, 50);
   for (const std::uint32_t rows : {0U, 40U, 41U}) {
     CAPTURE(rows);
@@ -256,7 +257,7 @@ TEST_CASE("an end-stop between slices completes the stream, and one within a sli
   }
 }
 
-TEST_CASE("samples of 16 bits have their low byte first") {
+TEST_CASE("16-bit samples are sent with the low byte first") {
   for (const auto type : {meshing::SampleType::u16, meshing::SampleType::i16}) {
     ScanPlan plan = plan_of(2, 1, 1, type);
     plan.threshold = 0x0100;
@@ -268,14 +269,14 @@ TEST_CASE("samples of 16 bits have their low byte first") {
   }
 }
 
-TEST_CASE("too little memory is refused with the required number of bytes") {
+TEST_CASE("too little memory is refused, and the message contains the required number of bytes") {
   ScanPlan plan = plan_of(30, 20, 50);
   plan.memory = 100;
   const std::string minimum = std::to_string(Extractor16::minimum_bytes({30, 20}));
   CHECK_THROWS_WITH_AS(Recording{plan}, doctest::Contains(minimum.c_str()), std::invalid_argument);
 }
 
-TEST_CASE("a file returns rows by number, and a pipe the next row") {
+TEST_CASE("a file returns rows by number, and a pipe returns the next row") {
   char name[] = "/tmp/discmc_rows_XXXXXX";
   REQUIRE(close(mkstemp(name)) == 0);
   std::ofstream(name) << "aabbccdd";

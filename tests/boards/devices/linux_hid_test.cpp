@@ -62,7 +62,7 @@ constexpr std::size_t chunks = 3;
 
 }  // namespace
 
-TEST_CASE("a report is read as written, and other bytes are rejected") {
+TEST_CASE("a written report is read back unchanged, and other bytes are rejected") {
   const Bytes payload = {1, 2, 3};
   const Bytes bytes = report_of(Kind::row, 0x12345678, 0x0102, payload);
   CHECK(Bytes(bytes.begin(), bytes.begin() + 12) ==
@@ -102,7 +102,7 @@ TEST_CASE("repeated reports change nothing") {
   CHECK(receiver.stream() == expected_stream(plan, 200));
 }
 
-TEST_CASE("lost reports cost only their own rows and are counted") {
+TEST_CASE("lost reports lose only their own rows and are counted") {
   const std::vector<Bytes> reports = reports_of(rows_of(plan));
   Chance chance(2);
   for (int round = 0; round < 100; ++round) {
@@ -135,7 +135,7 @@ TEST_CASE("an early end ends the scan at the current row") {
   CHECK(receiver.stream() == expected_stream(plan, 20));
 }
 
-TEST_CASE("invalid reports are counted and change nothing") {
+TEST_CASE("invalid reports are counted and otherwise ignored") {
   Receiver receiver(plan);
   const std::vector<Bytes> reports = reports_of(rows_of(plan));
   const Bytes full(56, 1);
@@ -162,7 +162,7 @@ TEST_CASE("invalid reports are counted and change nothing") {
   CHECK(receiver.stream() == expected_stream(plan, 200));
 }
 
-TEST_CASE("any bytes are safe, and there are never more rows than planned") {
+TEST_CASE("random bytes in reports are safe and yield at most the planned number of rows") {
   Chance chance(3);
   for (int round = 0; round < 200; ++round) {
     RowAssembler assembler(1 + chance.below(300), 50);
@@ -183,7 +183,7 @@ TEST_CASE("any bytes are safe, and there are never more rows than planned") {
   }
 }
 
-TEST_CASE("a stream is sent in full reports, then the rest and the end") {
+TEST_CASE("a stream is sent in full reports, then a partial report and the end report") {
   Bytes stream(1000);
   for (std::size_t i = 0; i < stream.size(); ++i) stream[i] = static_cast<std::uint8_t>(i * 7);
   StreamReports out;

@@ -68,14 +68,14 @@ Device started() {
 
 }  // namespace
 
-TEST_CASE("a scan of three rows arrives") {
+TEST_CASE("a row receiver receives a scan of three rows") {
   Device device = started();
   for (uint32_t number = 0; number < 3; ++number) device.accept_row(number);
   CHECK(device.accept(frame(Kind::end, 3)) == Events{Event::end});
   CHECK(device.receiver.number() == 3);
 }
 
-TEST_CASE("rows of any length that fits a frame arrive, with any number") {
+TEST_CASE("rows of any length that fits a frame, and of any number, are received") {
   for (size_t count = 1; count <= row_frame::max_samples; ++count) {
     CAPTURE(count);
     const uint32_t number = static_cast<uint32_t>(count) * 17000000U;
@@ -93,7 +93,7 @@ TEST_CASE("rows of any length that fits a frame arrive, with any number") {
   }
 }
 
-TEST_CASE("any wrong bit costs only its own row") {
+TEST_CASE("a flipped bit in a frame loses only that frame's row") {
   const Bytes good = row_frame_of(1);
   for (size_t place = 0; place < good.size(); ++place) {
     for (uint32_t bit = 0; bit < 8; ++bit) {
@@ -110,7 +110,7 @@ TEST_CASE("any wrong bit costs only its own row") {
   }
 }
 
-TEST_CASE("a frame truncated at any byte costs only its own row") {
+TEST_CASE("a frame truncated at any byte loses only its own row") {
   const Bytes whole = row_frame_of(1);
   for (size_t count = 0; count < whole.size(); ++count) {
     CAPTURE(count);
@@ -129,7 +129,7 @@ TEST_CASE("a frame truncated at any byte costs only its own row") {
   }
 }
 
-TEST_CASE("rows of another length are dropped without writing beyond the half") {
+TEST_CASE("rows of a wrong length are dropped without a write beyond the half of the buffer") {
   for (const size_t count : {size_t{0}, row_bytes - 1, row_bytes + 1, row_frame::max_samples}) {
     CAPTURE(count);
     Device device = started();
@@ -138,7 +138,7 @@ TEST_CASE("rows of another length are dropped without writing beyond the half") 
   }
 }
 
-TEST_CASE("frames longer than any frame are dropped") {
+TEST_CASE("frames longer than the maximum are dropped") {
   Device device = started();
   Bytes bytes(1000, 0xFF);
   bytes.push_back(0);
@@ -155,7 +155,7 @@ TEST_CASE("repeated and late rows are dropped, and gaps in the numbers are accep
   device.accept_row(1000);
 }
 
-TEST_CASE("the highest row number is dropped, and numbers do not wrap to 0") {
+TEST_CASE("a row with the highest number is dropped, and row numbers do not wrap to 0") {
   Device device = started();
   CHECK(device.accept(row_frame_of(UINT32_MAX)) == Events{Event::dropped});
   device.accept_row(UINT32_MAX - 1);
@@ -205,7 +205,7 @@ TEST_CASE("frames before the start are ignored") {
   device.accept_row(0);
 }
 
-TEST_CASE("a start may be repeated until the first row, and after the end") {
+TEST_CASE("a repeated start frame is accepted until the first row, and after the end") {
   Device device = started();
   CHECK(device.accept(start_frame()) == Events{Event::start});
   device.accept_row(0);

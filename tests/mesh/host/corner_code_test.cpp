@@ -14,7 +14,7 @@ CornerCode corner(const Vertex& at, Link onwards) {
 
 }  // namespace
 
-TEST_CASE("a corner code stores its members at any position") {
+TEST_CASE("a corner code stores vertex, incidence and links for any vertex in range") {
   for (const Vertex at : {Vertex{-1, -1, -1}, Vertex{0, 65531, 7}, Vertex{65531, -1, 65519}}) {
     const CornerCode code = corner(at, 5);
     CHECK(code.vertex() == at);
@@ -24,14 +24,14 @@ TEST_CASE("a corner code stores its members at any position") {
   }
 }
 
-TEST_CASE("corners are ordered as their vertices") {
+TEST_CASE("corner codes sort in the order of their vertices") {
   const Vertex some[] = {{9, 9, -1}, {9, -1, 0}, {-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {-1, 1, 0}};
   for (const Vertex& a : some)
     for (const Vertex& b : some)
       CHECK((corner(a, 17).bits() < corner(b, 17).bits()) == precedes(a, b));
 }
 
-TEST_CASE("links are counted between any two corners of a side") {
+TEST_CASE("links_between() returns the number of links between two corners of a side") {
   for (Link link = 0; link < link_codes; ++link)
     for (const uint32_t length : {1U, 2U, 255U, 8191U, 16000U}) {
       const Vertex from{33000, 33000, 33000};

@@ -16,13 +16,13 @@ bool are_same(const Table& a, const Table& b) {
   return memcmp(&a, &b, sizeof a) == 0;
 }
 
-TEST_CASE("the table of rays derived at run time equals that of the compiler") {
+TEST_CASE("the ray table derived at run time equals the compile-time table") {
   const auto table = std::make_unique<RayTable>();
   *table = derive_rays();
   CHECK(are_same(*table, ray_table));  // the numbers have no gaps
 }
 
-TEST_CASE("the ends of rays derived at run time equal those of the compiler") {
+TEST_CASE("the queue traits derived at run time equal the compile-time traits") {
   QueueTraits derived{};
   derived = derive_queue_traits();
   CHECK(are_same(derived.vertex, queue_traits.vertex));
@@ -38,13 +38,13 @@ TEST_CASE("the ends of rays derived at run time equal those of the compiler") {
   CHECK(are_same(derived.code, queue_traits.code));
 }
 
-TEST_CASE("directions of planes derived at run time equal those of the compiler") {
+TEST_CASE("directions of planes derived at run time equal the compile-time directions") {
   DirectionTable table{};
   table = derive::direction_table();
   CHECK(are_same(table, direction_table));
 }
 
-TEST_CASE("link measures derived at run time equal those of the compiler") {
+TEST_CASE("link measures derived at run time equal the compile-time measures") {
   LinkMeasures measures{};
   measures = derive::link_measures();
   CHECK(are_same(measures, link_measures));

@@ -26,7 +26,7 @@ detail::trace::SweptRow row_of(int32_t z) {
 
 }  // namespace
 
-TEST_CASE("a batch contains edges of one slice, and edges of the next slice wait") {
+TEST_CASE("a batch contains edges of a single slice, and edges of the next slice wait") {
   Edges edges;
   edges.clear();
   CHECK_FALSE(edges.collect(row_of(3)));

@@ -307,11 +307,11 @@ BitVolume slanting_plate_with_holes() {
 
 }  // namespace
 
-TEST_CASE("a host extractor sends the events of other extractors, scan after scan") {
+TEST_CASE("a HostExtractor sends the events of other extractors in repeated scans") {
   check_like_others();
 }
 
-TEST_CASE("a deep scan keeps its nodes in the memory of a shallow scan") {
+TEST_CASE("a deep scan needs no more node memory than a shallow scan") {
   const Size size{100, 60, 4};
   const BitVolume slices = random(size, 70, 3);
   HostExtractor extractor;
@@ -328,7 +328,7 @@ TEST_CASE("a deep scan keeps its nodes in the memory of a shallow scan") {
 }
 
 // Only peaks() shows the slots of queues and nodes.
-TEST_CASE("memory for nodes grows in steps, each if it just fits") {
+TEST_CASE("memory for nodes grows in steps, even if each step only just fits") {
   check_steps(box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}), {{0, 33097}});
   check_steps(zigzag_columns({40, 40, 12}),
               {{0, 45385}, {10028, 45777}, {10224, 46169}, {36120, 70745}});
@@ -343,7 +343,8 @@ TEST_CASE("memory for queues grows in steps") {
   check_steps(columns({60, 60, 3}), {{0, 47737}, {144, 48129}, {340, 48737}, {4344, 49569}});
 }
 
-TEST_CASE("memory for both nodes and queues grows with noise or in turn") {
+TEST_CASE(
+    "memory for nodes and memory for queues grow in the same scan, together or one after another") {
   check_steps(random({60, 60, 6}, 128, 3), {{23992, 49060}});
   BitVolume both({60, 60, 16});
   put(both, columns({60, 60, 8}), 0);
@@ -353,7 +354,7 @@ TEST_CASE("memory for both nodes and queues grows with noise or in turn") {
 
 // At an open border only one chain uses a link; elsewhere another chain uses it in the other
 // direction.
-TEST_CASE("queues have room if more chains leave along a link than arrive") {
+TEST_CASE("queues have room if more chains leave than enter along a link") {
   constexpr uint32_t teeth = 3000;
   const BitVolume saw = volume_of({4, 8 * teeth, 4}, shapes::Saw{});
   const Plan plan{Border::open, 0};
@@ -362,7 +363,7 @@ TEST_CASE("queues have room if more chains leave along a link than arrive") {
   CHECK(has_kept_nodes(extractor));
 }
 
-TEST_CASE("the scan after a handover has all the memory") {
+TEST_CASE("a scan after a handover of fragments has all slots available") {
   // Noise and columns for which memory grows, then a distant slice that needs nearly all of it.
   BitVolume volume({241, 241, 7});
   put(volume, columns({60, 60, 2}), 0);
@@ -377,7 +378,7 @@ TEST_CASE("the scan after a handover has all the memory") {
   CHECK(totals_of(extractor, volume, enough).fragments == 0);
 }
 
-TEST_CASE("rings of any length close, also after many walks that failed") {
+TEST_CASE("rings of any length are closed, even after many unsuccessful walks") {
   HostExtractor extractor;
   Extractor32 other;
   const auto check = [&](const BitVolume& volume) {
@@ -413,7 +414,7 @@ TEST_CASE("a host extractor with too few slots for nodes sends the same events")
   CHECK(has_kept_nodes(extractor));
 }
 
-TEST_CASE("a host extractor sends the same events to a busy sink") {
+TEST_CASE("a host extractor sends the same events even if the sink is sometimes busy") {
   for (const Capacities& capacities : {much, Capacities{1200, 10}}) {
     check_like_others(capacities, refuses_first);
     check_like_others(capacities, refuses_some);
@@ -435,7 +436,7 @@ TEST_CASE("a host extractor sends the same events if any single offer is refused
   }
 }
 
-TEST_CASE("regions delivered whole equal those sent to the sink") {
+TEST_CASE("regions delivered whole equal the regions sent to the sink event by event") {
   HostExtractor extractor;
   for (const BitVolume& volume : volumes()) {
     Started started(extractor, limits_of(volume, Border::closed));
@@ -448,7 +449,8 @@ TEST_CASE("regions delivered whole equal those sent to the sink") {
   }
 }
 
-TEST_CASE("a host extractor sends the same events wherever fragments are handed over") {
+TEST_CASE(
+    "a host extractor sends the same events for any point at which fragments are handed over") {
   const BitVolume noise = random({150, 110, 4}, 60, 8);
   HandingOver closed(noise, Border::closed), open(noise, Border::open);
   for (uint32_t beyond = 0; beyond < 24000; beyond += 2000 * step(3)) {
@@ -520,12 +522,13 @@ TEST_CASE("a side across all slices of a slab is handed over") {
   }
 }
 
-TEST_CASE("fragments are handed over if the slices exceed the range of a corner code") {
+TEST_CASE("fragments are handed over if the number of slices exceeds the range of a corner code") {
   const BitVolume column = box({2, 1, 33000}, {0, 0, 0}, {0, 0, 32999});
   for (const Border border : {Border::closed, Border::open}) HandingOver(column, border).check(0);
 }
 
-TEST_CASE("a slab has the regions, loose fragments and counts of other extractors") {
+TEST_CASE(
+    "a slab of a HostExtractor has the regions, loose fragments and counts of other extractors") {
   HostExtractor extractor;
   Extractor32 other;
   for (const BitVolume& volume : volumes_of_slabs())
@@ -543,7 +546,7 @@ TEST_CASE("a slab has the regions, loose fragments and counts of other extractor
       }
 }
 
-TEST_CASE("a slab has the same parts wherever its fragments are handed over") {
+TEST_CASE("a slab has the same parts for any point at which fragments are handed over") {
   const BitVolume volume = random({70, 14, 6}, 128, 4);
   HostExtractor extractor;
   Extractor32 other;
@@ -558,7 +561,7 @@ TEST_CASE("a slab has the same parts wherever its fragments are handed over") {
   }
 }
 
-TEST_CASE("a slab has the same parts if the slices exceed the range of a corner code") {
+TEST_CASE("a slab has the same parts if the number of slices exceeds the range of a corner code") {
   for (const BitVolume& volume : {random({20, 7, 12}, 128, 1), rough_columns({20, 7, 12})})
     for (const Border border : {Border::closed, Border::open})
       for (const uint32_t end : {11U, 12U})
@@ -568,7 +571,7 @@ TEST_CASE("a slab has the same parts if the slices exceed the range of a corner 
         }
 }
 
-TEST_CASE("a slab has the same parts in the last numbered slices") {
+TEST_CASE("a slab that ends at the maximal slice number has the same parts") {
   const BitVolume volume = random({20, 7, 12}, 128, 1);
   for (const Border border : {Border::closed, Border::open})
     check_same_parts({volume, border, 1, 12, Limits::max_slices - 12});
@@ -611,7 +614,7 @@ TEST_CASE("fragments of the last slab are sent in the order of their completion"
   }
 }
 
-TEST_CASE("holes of each slab are sent before the last fragment of the ring around them") {
+TEST_CASE("holes of each slab are sent before the last fragment of the ring around the hole") {
   const BitVolume plate = slanting_plate_with_holes();
   const std::vector<Region> regions = collected(expected_of(plate, {}).events).regions();
   HostExtractor extractor;
@@ -628,7 +631,7 @@ TEST_CASE("holes of each slab are sent before the last fragment of the ring arou
   }
 }
 
-TEST_CASE("slabs join to the whole for any handover and any mixture of extractors") {
+TEST_CASE("slabs join to the whole surface for any handover and any mixture of extractors") {
   // With these numbers of slots, fragments are handed over in the slice below, in the first slice,
   // in a later slice, or never.
   constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, min_for_nodes + 10000,
@@ -678,7 +681,7 @@ TEST_CASE("a slab has the same parts if edges have several chains across a seam"
   check_same_parts({grating, Border::closed, 1, 2}, {3000000, 100});
 }
 
-TEST_CASE("the corners of sent loose fragments are reused") {
+TEST_CASE("memory for corners of sent loose fragments is reused") {
   HostExtractor extractor;
   const auto slots_used = [&](bool has_fragments) {
     BitVolume volume({30, 30, 9});
@@ -695,7 +698,7 @@ TEST_CASE("the corners of sent loose fragments are reused") {
   CHECK(slots_used(true) < slots_used(false) + 1000);
 }
 
-TEST_CASE("slabs beyond the slice range of a corner code join to the whole") {
+TEST_CASE("slabs whose slices exceed the range of a corner code join to the whole surface") {
   constexpr uint32_t depth = 32790;
   BitVolume column({4, 3, depth});
   const BitVolume noise = random({4, 3, 60}, 90, 7);
@@ -713,7 +716,7 @@ TEST_CASE("slabs beyond the slice range of a corner code join to the whole") {
   }
 }
 
-TEST_CASE("a slab without its own slice has no surface, for any corners beneath it") {
+TEST_CASE("a slab without slices of its own has no surface, even with corners in the slice below") {
   const BitVolume noise = random({9, 9, 9}, 128, 5);
   HostExtractor extractor;
   for (const bool continues_above : {false, true}) {
@@ -727,7 +730,7 @@ TEST_CASE("a slab without its own slice has no surface, for any corners beneath 
   }
 }
 
-TEST_CASE("an abandoned slab has the same parts after any sample, even with a busy sink") {
+TEST_CASE("a slab abandoned at any sample has the same parts, even if the sink is busy") {
   const BitVolume volume = random({7, 6, 7}, 128, 4);
   const auto abandoned = [](auto& extractor, const SlabScan& scan, uint32_t samples,
                             const EventLog::Refuses& refuses) {
@@ -751,7 +754,7 @@ TEST_CASE("an abandoned slab has the same parts after any sample, even with a bu
     }
 }
 
-TEST_CASE("a slab continues from a checkpoint in any slice, context included") {
+TEST_CASE("a slab continues from a checkpoint in any slice, including the context slices") {
   const BitVolume volume = random({20, 20, 7}, 100, 3);
   const SlabScan scan{volume, Border::closed, 1, 6};
   HostExtractor extractor;
@@ -768,7 +771,7 @@ TEST_CASE("a slab continues from a checkpoint in any slice, context included") {
   }
 }
 
-TEST_CASE("a scan after one that stopped at a busy sink starts afresh") {
+TEST_CASE("a scan is independent of a previous scan that stopped at a busy sink") {
   const BitVolume volume = random({70, 9, 5}, 100, 4);
   for (const Border border : {Border::closed, Border::open}) {
     const Plan plan{border};
@@ -794,7 +797,7 @@ TEST_CASE("a scan after one that stopped at a busy sink starts afresh") {
   }
 }
 
-TEST_CASE("a slab after one that stopped above its last slice starts afresh") {
+TEST_CASE("a slab is independent of a previous slab that stopped above its last slice") {
   const BitVolume volume = random({20, 20, 9}, 100, 3);
   const SlabScan scan{volume, Border::closed, 2, 5};
   HostExtractor extractor;
@@ -809,7 +812,7 @@ TEST_CASE("a slab after one that stopped above its last slice starts afresh") {
   }
 }
 
-TEST_CASE("a checkpoint contains the nodes") {
+TEST_CASE("a scan restored from a checkpoint of a HostExtractor sends the same events") {
   const BitVolume volume = random({30, 30, 8}, 100, 4);
   const Limits limits = limits_of(volume, Border::closed);
   const auto slice = static_cast<uint32_t>(volume.width) * volume.height;
@@ -847,7 +850,7 @@ TEST_CASE("a host extractor with minimum capacities sends the events of other ex
 }
 
 TEST_CASE(
-    "a host extractor with the least room has the same parts of structured volumes in slabs") {
+    "a HostExtractor with minimum capacities has the same parts of structured volumes in slabs") {
   MinimumHost extractor;
   Extractor32 other;
   std::vector<BitVolume> all = volumes_of_slabs();
@@ -886,7 +889,7 @@ TEST_CASE("a host extractor has the same parts for any size of its queues") {
   }
 }
 
-TEST_CASE("a host extractor with minimum capacities hands fragments over at any point") {
+TEST_CASE("a HostExtractor with minimum capacities can hand over fragments at any point") {
   MinimumHost extractor;
   Extractor32 other;
   const BitVolume noise = random({150, 60, 4}, 60, 8);

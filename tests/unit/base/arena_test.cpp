@@ -35,7 +35,8 @@ TEST_CASE("arrays are contiguous and aligned for any start of the memory") {
   }
 }
 
-TEST_CASE("an exact fit succeeds beside the three reserved bytes, for any start of the memory") {
+TEST_CASE(
+    "an arena allocates an exact fit plus three reserved bytes, for any start of the memory") {
   constexpr size_t needed = 16 + 3 * red_zone_bytes;
   alignas(4) uint8_t bytes[needed + 8] = {};
   for (size_t offset = 0; offset < 4; ++offset) {
@@ -82,7 +83,7 @@ TEST_CASE("memory that is null or too small to align provides no array") {
   CHECK(none.allocate<uint8_t>(1) == nullptr);
 }
 
-TEST_CASE("the three reserved bytes alone provide no array") {
+TEST_CASE("an arena of only the three reserved bytes allocates no array") {
   alignas(4) uint8_t bytes[4 + red_zone_bytes] = {};
   for (const size_t count : {3U, 4U}) {
     Arena arena({bytes, count + red_zone_bytes});

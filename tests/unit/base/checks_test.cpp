@@ -35,7 +35,7 @@ constexpr Capacities some{2000, 100};
 
 }  // namespace
 
-TEST_CASE("only a red zone separates the arrays of an arena") {
+TEST_CASE("arrays of an arena are separated only by a red zone") {
   CHECK(Arena::bytes_of(5, 1) == 8 + red_zone_bytes);
   const std::unique_ptr<uint32_t[]> memory(new uint32_t[100]());
   Arena arena({memory.get(), 400});
@@ -45,8 +45,7 @@ TEST_CASE("only a red zone separates the arrays of an arena") {
   CHECK(sum_of(first, 5) + sum_of(second, 5) == 0);
 }
 
-TEST_CASE(
-    "the memory of a scan may be copied for a checkpoint, and is free for use after the end") {
+TEST_CASE("the memory of a scan may be copied for a checkpoint, and is reusable after the end") {
   const BitVolume volume = random({30, 20, 8}, 128, 3);
   const Limits limits = limits_of(volume, Border::closed);
   const std::vector<uint8_t> half(volume.on.begin(), volume.on.begin() + 4 * 600);
@@ -62,7 +61,7 @@ TEST_CASE(
   std::fill(memory.begin(), memory.end(), uint8_t{0});
 }
 
-TEST_CASE("the memory of a joiner is free for use after the end") {
+TEST_CASE("the memory of a joiner is reusable after the end") {
   const BitVolume volume = random({30, 20, 8}, 128, 3);
   std::vector<uint8_t> memory(1000000);
   EventLog log;
@@ -139,14 +138,14 @@ TEST_CASE("free slots are poisoned, both unused and released ones") {
   CHECK(!heap.is_free(8));
 }
 
-TEST_CASE("an arena reuses memory that another scan left poisoned") {
+TEST_CASE("an arena can reuse memory that a previous scan left poisoned") {
   std::vector<uint8_t> memory(1000);
   poison(memory.data(), memory.size());
   Arena arena(Memory{memory.data(), memory.size()});
   CHECK(sum_of(arena.allocate<uint8_t>(500), 500) == 0);
 }
 
-TEST_CASE("a red zone is poisoned in a checked build") {
+TEST_CASE("a checked build poisons the red zone of an array") {
   std::vector<uint8_t> memory(1000);
   Arena arena(Memory{memory.data(), memory.size()});
   const auto* const first = arena.allocate<uint8_t>(16);
@@ -154,7 +153,7 @@ TEST_CASE("a red zone is poisoned in a checked build") {
   if (red_zone_bytes > 0) CHECK(is_fatal([first] { return sum_of(first, 16 + 8); }));
 }
 
-TEST_CASE("misuse of a pool aborts, such as releasing a slot twice or reading a free slot") {
+TEST_CASE("misuse of a pool aborts: releasing a slot twice, or reading a free slot") {
   HeapItems heap(8);
   Items& pool = heap.pool;
   for (int i = 0; i < 5; ++i) (void)pool.allocate();

@@ -59,7 +59,7 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("a pool provides each slot once, then no_slot") {
+TEST_CASE("a pool provides each slot once, then returns no_slot") {
   StartedPool<uint16_t> pool(5);
   std::set<uint16_t> allocated;
   for (int i = 0; i < 5; ++i) allocated.insert(pool.allocate());

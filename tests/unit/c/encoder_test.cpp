@@ -110,14 +110,14 @@ void compare(const discmc_encoder_kind& kind, Encoder& encoder, const Events& al
 
 }  // namespace
 
-TEST_CASE("encoders of both kinds write the same bytes as in C++") {
+TEST_CASE("encoders of both kinds write the same bytes in C as in C++") {
   Encoder plain;
   compare(discmc_regions, plain, events());
   test::NormalEncoder normal;
   compare(discmc_regions_with_normals, normal, with_normals(events()));
 }
 
-TEST_CASE("records, outputs and further scans are as in C++") {
+TEST_CASE("records, outputs and further scans of encoders behave in C as in C++") {
   Line line, other_line, cpp_line, other_cpp_line;
   Stream stream(discmc_regions, DISCMC_ENCODER_BYTES, line);
   stream.start();

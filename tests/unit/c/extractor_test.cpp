@@ -158,7 +158,7 @@ TEST_CASE("plain extractors in C deliver the events of an Extractor16") {
   }
 }
 
-TEST_CASE("extractors with normals in C deliver the events of those in C++") {
+TEST_CASE("extractors with normals in C deliver the events of extractors with normals in C++") {
   compare_normals<uint8_t>(discmc_normals_u8, DISCMC_U8);
   compare_normals<uint16_t>(discmc_normals_u16, DISCMC_U16);
   compare_normals<int16_t>(discmc_normals_i16, DISCMC_I16);
@@ -180,7 +180,7 @@ TEST_CASE("a slab in C delivers the events of a slab in C++") {
   CHECK(scan.info().slices == depth);
 }
 
-TEST_CASE("an object in C is aligned in memory at any address") {
+TEST_CASE("an object in C may be placed in memory at any address") {
   EventLog log;
   Scan scan(discmc_plain_u8, 20000, log);
   auto* const data = static_cast<uint8_t*>(scan.config.memory.data);
@@ -193,7 +193,7 @@ TEST_CASE("an object in C is aligned in memory at any address") {
   }
 }
 
-TEST_CASE("an extractor in C with explicit slots has a hole for every 16 of them") {
+TEST_CASE("an extractor in C with explicit slots has one hole per 16 slots") {
   EventLog log;
   Scan scan(discmc_plain_u8, 20000, log, 165);
   scan.start();
@@ -247,7 +247,7 @@ TEST_CASE("an abandoned scan in C closes its regions and is reported as abandone
   CHECK(collected(log.events).was_abandoned());
 }
 
-TEST_CASE("reset() in C begins a new scan at any point of the last one") {
+TEST_CASE("reset() in C begins a new scan at any point of the previous scan") {
   EventLog log, again;
   Scan scan(discmc_plain_u8, 20000, log);
   scan.start();
@@ -312,7 +312,7 @@ TEST_CASE("invalid calls of extractors in C return their status") {
           DISCMC_BAD_SAMPLES);
 }
 
-TEST_CASE("a checkpoint in C is restored whole and only by its own kind of extractor") {
+TEST_CASE("a checkpoint in C is restored completely and only by an extractor of the same kind") {
   EventLog log;
   Scan scan(discmc_plain_u8, 20000, log);
   scan.start();
@@ -357,7 +357,7 @@ TEST_CASE("a checkpoint in C is restored whole and only by its own kind of extra
   CHECK(status_of(8, [](Config&, uint8_t*) {}) == DISCMC_OK);
 }
 
-TEST_CASE("a suspended extractor in C is not saved") {
+TEST_CASE("saving a suspended extractor in C is refused") {
   bool is_busy = false;
   EventLog log([&](uint64_t) { return is_busy; });
   Scan scan(discmc_plain_u8, 20000, log);

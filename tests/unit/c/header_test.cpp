@@ -21,13 +21,13 @@ void check_size(uint64_t constant, uint64_t needed) {
 
 }  // namespace
 
-TEST_CASE("every function of the C headers has a comment or shares the preceding one") {
+TEST_CASE("every function of the C headers has a comment or shares the preceding comment") {
   const std::string header = text_of("lib/discmc/discmc.h") + text_of("lib/discmc/front.h");
   const std::regex bare("\n\n(?!/\\*|typedef|#|enum|extern)[^\n]*\\bdiscmc_[a-z0-9_]+\\(");
   CHECK(!std::regex_search(header, bare));
 }
 
-TEST_CASE("every status has a unique text") {
+TEST_CASE("every status in C has a unique text") {
   std::set<std::string> texts;
   for (int status = DISCMC_OK; status <= DISCMC_NO_KIND; ++status)
     texts.insert(discmc_status_string(static_cast<discmc_status>(status)));
@@ -35,7 +35,7 @@ TEST_CASE("every status has a unique text") {
   CHECK(texts.count(to_string(Status::device_error)) == 1);
 }
 
-TEST_CASE("the constants of sizes.h suffice and are close to the true sizes") {
+TEST_CASE("the constants in sizes.h are at least, and close to, the true sizes") {
   const discmc_extractor_kind* const plain[] = {&discmc_plain_bits, &discmc_plain_u8,
                                                 &discmc_plain_u16, &discmc_plain_i16};
   for (const uint32_t width : {1U, 29U, 30U, 31U, 64U, 256U, 32766U})
@@ -81,7 +81,8 @@ TEST_CASE("the constants of sizes.h suffice and are close to the true sizes") {
     }
 }
 
-TEST_CASE("a config without slots needs the minimum of memory, and invalid configs need none") {
+TEST_CASE(
+    "a config without slots needs the minimum memory, and an invalid config needs zero bytes") {
   discmc_extractor_config config{};
   config.kind = &discmc_plain_u8;
   config.limits = {10, 10, DISCMC_CLOSED};

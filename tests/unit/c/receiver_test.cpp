@@ -120,7 +120,7 @@ TEST_CASE("a receiver in C delivers the events of a C++ Receiver for both kinds 
   compare(cut, 1, 0);
 }
 
-TEST_CASE("a receiver in C accepts memory for slices late and needs none for polygons") {
+TEST_CASE("a receiver in C accepts memory for slices late and needs no memory for polygons") {
   const Bytes stream = encoded_slices(1);
   EventLog log, expected;
   ReceiverInC receiver(c_sink_to(log), discmc_receiver_bytes(nullptr, 0, 0));

@@ -10,7 +10,7 @@
 using namespace discmc;
 using discmc::reference::Block;
 
-TEST_CASE("a ring in C passes rows in order and marks lost rows in their place") {
+TEST_CASE("a ring in C delivers rows in order and marks lost rows in their place") {
   constexpr uint32_t row_bytes = 37, rows = 3;
   Block block(DISCMC_ROW_RING_BYTES(row_bytes, rows));
   const discmc_row_ring_config config = {
@@ -66,7 +66,7 @@ TEST_CASE("invalid calls of rings in C return their status") {
   CHECK(discmc_row_ring_start(&ring, &config) == DISCMC_OK);
 }
 
-TEST_CASE("samples are unpacked in C as in C++") {
+TEST_CASE("samples are unpacked in C in the same way as in C++") {
   std::vector<uint8_t> packed(200);
   test::Chance chance(1);
   for (uint8_t& byte : packed) byte = chance.byte();

@@ -146,7 +146,7 @@ void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::
 
 }  // namespace
 
-TEST_CASE("slice encoders of every kind write the same bytes as in C++") {
+TEST_CASE("slice encoders of every kind write the same bytes in C as in C++") {
   compare<uint8_t>(discmc_slices_u8, DISCMC_U8, make_samples<uint8_t>());
   compare<uint16_t>(discmc_slices_u16, DISCMC_U16, make_samples<uint16_t>());
   compare<int16_t>(discmc_slices_i16, DISCMC_I16, make_samples<int16_t>());
@@ -154,7 +154,7 @@ TEST_CASE("slice encoders of every kind write the same bytes as in C++") {
                    bits_of(make_samples<uint8_t>(), width, {100, 130, 60}));
 }
 
-TEST_CASE("slice encoders with fractions write the same bytes as in C++") {
+TEST_CASE("slice encoders with fractions write the same bytes in C as in C++") {
   for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4}) {
     compare<uint8_t, FractionSliceEncoder<uint8_t>>(discmc_fraction_slices_u8, DISCMC_U8,
                                                     make_samples<uint8_t>(), levels);
@@ -165,14 +165,14 @@ TEST_CASE("slice encoders with fractions write the same bytes as in C++") {
   }
 }
 
-TEST_CASE("a slice encoder in C accepts 2 or 4 levels") {
+TEST_CASE("a slice encoder in C accepts only 2 or 4 levels of fractions") {
   CHECK(Scan::min_bytes(discmc_fraction_slices_u8, 3) == 0);
   Line line;
   Scan scan(discmc_fraction_slices_u8, 3, line, 10000);
   CHECK(discmc_slice_encoder_start(&scan.encoder, &scan.config) == DISCMC_BAD_LABEL);
 }
 
-TEST_CASE("a slice encoder in C drops its stream and is abandoned as in C++") {
+TEST_CASE("a slice encoder in C drops its stream and abandons its scan as in C++") {
   Line line, cpp_line;
   Scan scan(discmc_slices_u8, 0, line);
   scan.config.surface_count = 1;
@@ -202,7 +202,7 @@ TEST_CASE("a slice encoder in C drops its stream and is abandoned as in C++") {
   CHECK(line.bytes == cpp_line.bytes);
 }
 
-TEST_CASE("a suspended slice encoder is not saved") {
+TEST_CASE("saving a suspended slice encoder in C is refused") {
   Line line;
   Scan scan(discmc_slices_u8, 0, line);
   scan.config.output.write = [](void*, const uint8_t*, size_t) { return size_t{0}; };

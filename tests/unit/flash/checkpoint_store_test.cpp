@@ -153,7 +153,7 @@ void put_slot(uint8_t* bytes, uint32_t sequence, Contents contents,
 
 }  // namespace
 
-TEST_CASE("the newest of any number of checkpoints is read back") {
+TEST_CASE("the newest checkpoint is read back after any number of saves") {
   for_each_memory([&](SimulatedFlash& flash, Keeper& keeper, const Memories&) {
     REQUIRE(keeper.status == Status::ok);
     CHECK_FALSE(keeper.store.has_checkpoint());
@@ -168,7 +168,7 @@ TEST_CASE("the newest of any number of checkpoints is read back") {
   });
 }
 
-TEST_CASE("a flash that is erased, full of zeros or random has no checkpoint") {
+TEST_CASE("an erased, zeroed or random flash has no checkpoint") {
   for (const Memories& memory : memories) {
     SimulatedFlash flash(memory.geometry);
     CHECK(number_found(flash, 1) == UINT32_MAX);
@@ -179,7 +179,7 @@ TEST_CASE("a flash that is erased, full of zeros or random has no checkpoint") {
   }
 }
 
-TEST_CASE("after a power failure the checkpoint found is the newest or the one before") {
+TEST_CASE("after a power failure the newest or the previous checkpoint is found") {
   constexpr uint32_t saves = 4;
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
@@ -236,7 +236,7 @@ TEST_CASE("after repeated power failures the newest or the interrupted checkpoin
   }
 }
 
-TEST_CASE("a flipped bit in one checkpoint leaves the other readable") {
+TEST_CASE("a flipped bit in one checkpoint leaves other checkpoints readable") {
   SimulatedFlash flash(memories[2].geometry);
   Keeper keeper(flash);
   save_all(keeper, 2);
@@ -253,7 +253,7 @@ TEST_CASE("a flipped bit in one checkpoint leaves the other readable") {
   CHECK(number_found(flash, 2) == 1);
 }
 
-TEST_CASE("each call erases one block or programs one unit") {
+TEST_CASE("each call of save() or resume() erases one block or programs one unit") {
   for_each_memory([&](SimulatedFlash& flash, Keeper& keeper, const Memories&) {
     for (uint32_t number = 0; number < 7; ++number) {
       Contents contents(number);
@@ -277,7 +277,7 @@ TEST_CASE("each call erases one block or programs one unit") {
   });
 }
 
-TEST_CASE("only the blocks in use are erased, and all blocks wear equally") {
+TEST_CASE("only blocks in use are erased, and all blocks wear equally") {
   const FlashGeometry geometry{64, 256, 10};
   SimulatedFlash flash(geometry);
   Keeper keeper(flash);
@@ -301,7 +301,7 @@ TEST_CASE("only the blocks in use are erased, and all blocks wear equally") {
   }
 }
 
-TEST_CASE("blocks erased ahead are not erased again") {
+TEST_CASE("blocks erased ahead are not erased a second time") {
   for_each_memory([&](SimulatedFlash& flash, Keeper& keeper, const Memories& memory) {
     if (memory.kind == Kind::fram) return;
     const auto erasures = [&flash] {
@@ -324,7 +324,7 @@ TEST_CASE("blocks erased ahead are not erased again") {
   });
 }
 
-TEST_CASE("blocks wear equally when every checkpoint follows a start") {
+TEST_CASE("blocks wear equally even if every checkpoint follows a start") {
   SimulatedFlash flash(memories[1].geometry);
   std::vector<uint8_t> all(max_bytes);
   for (uint32_t number = 0; number < 6; ++number)
@@ -332,7 +332,7 @@ TEST_CASE("blocks wear equally when every checkpoint follows a start") {
   CHECK(flash.erasures == std::vector<uint32_t>{2, 2, 2, 2, 2, 2, 0});
 }
 
-TEST_CASE("the rest of the last programmed unit is all ones") {
+TEST_CASE("the rest of the last programmed unit is filled with ones") {
   SimulatedFlash flash(memories[2].geometry);
   Keeper keeper(flash);
   uint8_t bytes[300] = {};
@@ -368,7 +368,7 @@ TEST_CASE("a store restarted with another flash forgets the first flash") {
   }
 }
 
-TEST_CASE("after a start the next checkpoint goes to an unused slot") {
+TEST_CASE("the first checkpoint after a start goes to an unused slot") {
   SimulatedFlash flash(memories[3].geometry);
   for (uint32_t number = 0; number < 6; ++number) {
     Keeper keeper(flash);
@@ -414,7 +414,7 @@ TEST_CASE("a failed device call is reported and preserves older checkpoints") {
   }
 }
 
-TEST_CASE("after a failed save the newest checkpoint stays until the next save is complete") {
+TEST_CASE("after a failed save the newest checkpoint remains until the next save is complete") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     for (uint32_t saved = 1; saved <= 6; ++saved) {
@@ -470,7 +470,7 @@ TEST_CASE("an error of the driver is reported even if the data was written") {
   CHECK(save(keeper, 0) == Status::device_error);
 }
 
-TEST_CASE("a unit that fails to program is detected, and other blocks are used") {
+TEST_CASE("a unit that fails to program is detected, and other blocks are used instead") {
   const FlashGeometry geometry{64, 512, 9};  // three slots
   SimulatedFlash flash(geometry);
   Keeper keeper(flash);
@@ -486,7 +486,7 @@ TEST_CASE("a unit that fails to program is detected, and other blocks are used")
   CHECK_FALSE(flash.has_broken_rules);
 }
 
-TEST_CASE("an interrupted save preserves the previous checkpoint") {
+TEST_CASE("an interrupted save leaves the previous checkpoint readable") {
   for_each_memory([&](SimulatedFlash& flash, Keeper& keeper, const Memories&) {
     REQUIRE(save(keeper, 0) == Status::ok);
     for (uint32_t steps = 0; steps < 4; ++steps) {
@@ -507,7 +507,7 @@ TEST_CASE("an interrupted save preserves the previous checkpoint") {
   });
 }
 
-TEST_CASE("sequence numbers wrap from the last to 0, and the newest checkpoint is still found") {
+TEST_CASE("the newest checkpoint is found even after sequence numbers wrap to 0") {
   SimulatedFlash flash(memories[1].geometry);
   const StorePlan plan = store_plan(memories[1].geometry, max_bytes);
   put_slot(slot(flash, plan, 1), UINT32_MAX - 1, Contents(1));
@@ -541,7 +541,7 @@ TEST_CASE("the sequence number of a damaged checkpoint is not reused") {
   CHECK(keeper.store.sequence() == 5);
 }
 
-TEST_CASE("a head with a size beyond the maximal checkpoint is ignored") {
+TEST_CASE("a slot head with a size above the maximum is ignored") {
   SimulatedFlash flash(memories[2].geometry);
   const StorePlan plan = store_plan(memories[2].geometry, max_bytes);
   put_slot(slot(flash, plan, 0), 1, Contents(3));  // 919 bytes
@@ -549,14 +549,14 @@ TEST_CASE("a head with a size beyond the maximal checkpoint is ignored") {
   CHECK_FALSE(Keeper(flash, 918).store.has_checkpoint());
 }
 
-TEST_CASE("a head of another format is ignored") {
+TEST_CASE("a slot head of another format is ignored") {
   SimulatedFlash flash(memories[2].geometry);
   const StorePlan plan = store_plan(memories[2].geometry, max_bytes);
   put_slot(slot(flash, plan, 0), 1, Contents(0), StoredHead::current_format + 1);
   CHECK(number_found(flash, 1) == UINT32_MAX);
 }
 
-TEST_CASE("start() terminates for any sequence numbers of the heads") {
+TEST_CASE("start() terminates for any sequence numbers in slot heads") {
   const FlashGeometry geometry{64, 2048, 4};
   SimulatedFlash flash(geometry);
   const StorePlan plan = store_plan(geometry, max_bytes);
@@ -570,7 +570,7 @@ TEST_CASE("start() terminates for any sequence numbers of the heads") {
 }
 
 TEST_CASE(
-    "unreadable slots are skipped, and device_error is returned if no other checkpoint is found") {
+    "unreadable slots are skipped, and device_error is returned if no checkpoint is readable") {
   SimulatedFlash flash(memories[2].geometry);
   {
     Keeper keeper(flash);
@@ -588,7 +588,7 @@ TEST_CASE(
   CHECK(Contents::of(keeper) == Contents(0));
 }
 
-TEST_CASE("the parts of a checkpoint are restored as saved or not at all") {
+TEST_CASE("all parts of a checkpoint are restored as saved, or none") {
   SimulatedFlash flash(memories[2].geometry);
   Keeper keeper(flash);
   uint8_t bytes[300] = {}, read[301] = {};
@@ -619,7 +619,7 @@ TEST_CASE("the parts of a checkpoint are restored as saved or not at all") {
   }
 }
 
-TEST_CASE("a discarded checkpoint is never found again, whenever the power fails") {
+TEST_CASE("a discarded checkpoint is never found again, even after a power failure") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     uint64_t saved = 0, discarded = 0;
@@ -656,7 +656,7 @@ TEST_CASE("a discarded checkpoint is never found again, whenever the power fails
   }
 }
 
-TEST_CASE("invalid starts, saves and restores are refused") {
+TEST_CASE("invalid calls of start(), save() and restore() are refused") {
   SimulatedFlash flash(memories[2].geometry);
   CheckpointStore store{};
   uint8_t buffer[256], bytes[max_bytes + 1] = {};
@@ -697,7 +697,7 @@ TEST_CASE("invalid starts, saves and restores are refused") {
   CHECK(store.bytes() == max_bytes);
 }
 
-TEST_CASE("a plan counts blocks and units") {
+TEST_CASE("store_plan() computes slots, blocks and units, and rejects invalid geometries") {
   // 32 KiB of an SPI NOR flash for 33 checkpoints of 30,000 bytes, and four sectors of an STM32F4.
   constexpr FlashGeometry nor{256, 4096, 272}, internal{256, 131072, 4};
   constexpr StorePlan in_nor = store_plan(nor, 30000);

@@ -70,7 +70,7 @@ void check(const Size& size, uint32_t extent) {
 
 }  // namespace
 
-TEST_CASE("blocks become their mean, and partial blocks the mean of their voxels") {
+TEST_CASE("each block becomes the mean of its voxels, also blocks cut by the border") {
   for (const uint32_t extent : {1U, 2U, 3U, 5U, 16U})
     for (const uint32_t width : {1U, 2U, 7U, 16U, 17U})
       for (const uint32_t height : {1U, 3U, 6U})
@@ -81,7 +81,7 @@ TEST_CASE("blocks become their mean, and partial blocks the mean of their voxels
         }
 }
 
-TEST_CASE("the largest block of the largest samples does not overflow") {
+TEST_CASE("the sum of the largest block of maximal samples does not overflow") {
   for (const int16_t sample : {int16_t{INT16_MIN}, int16_t{INT16_MAX}}) {
     const std::vector<int16_t> samples(16 * 16 * 16, sample);
     Downsampler<int16_t> means;
@@ -89,7 +89,7 @@ TEST_CASE("the largest block of the largest samples does not overflow") {
   }
 }
 
-TEST_CASE("a downsampler restarted in the middle of a volume begins a new one") {
+TEST_CASE("a downsampler restarted in the middle of a volume begins a new volume") {
   const Size size{5, 4, 3};
   const std::vector<uint8_t> samples = some_samples<uint8_t>(size, 1);
   Downsampler<uint8_t> fresh;

@@ -80,7 +80,7 @@ TEST_CASE("a voxel is on if at least 14 of its 27 neighbours are on, for any siz
       }
 }
 
-TEST_CASE("walls, boxes and balls survive except for their edges, and specks vanish") {
+TEST_CASE("a majority filter preserves full volumes and walls and removes specks") {
   const BitVolume all = discmc::reference::box({9, 8, 7}, {0, 0, 0}, {8, 7, 6});
   CHECK(filtered(all).on == all.on);
   const BitVolume half = discmc::reference::box({40, 8, 7}, {0, 0, 0}, {19, 7, 6});
@@ -90,7 +90,7 @@ TEST_CASE("walls, boxes and balls survive except for their edges, and specks van
   CHECK(std::count(filtered_speck.on.begin(), filtered_speck.on.end(), 1) == 0);
 }
 
-TEST_CASE("a filter refuses invalid limits and too little memory") {
+TEST_CASE("a majority filter refuses invalid limits and too little memory") {
   MajorityFilter filter;
   const Limits limits{33, 4};
   Block block(MajorityFilter::bytes_for(limits) - 1);
@@ -113,7 +113,7 @@ TEST_CASE("a restarted filter is independent of the previous volume") {
   }
 }
 
-TEST_CASE("a filter restarted in the middle or at the end of a volume begins a new one") {
+TEST_CASE("a filter restarted in the middle or at the end of a volume begins a new volume") {
   const BitVolume volume = discmc::reference::random({10, 3, 4}, 128, 1);
   const Limits limits{10, 3};
   const std::uint8_t on[] = {0xFF, 0x03};
@@ -129,7 +129,7 @@ TEST_CASE("a filter restarted in the middle or at the end of a volume begins a n
     }
 }
 
-TEST_CASE("a filter uses two slices and four rows of memory, and writes only the row that is due") {
+TEST_CASE("a majority filter needs two slices and four rows, and writes only the row that is due") {
   const Limits limits{33, 2};
   constexpr std::size_t row_bytes = 8;
   REQUIRE(MajorityFilter::bytes_for(limits) ==

@@ -72,7 +72,7 @@ std::vector<uint16_t> some_samples(const Layout& layout, uint32_t count) {
 
 }  // namespace
 
-TEST_CASE("every value of a sample is unpacked at every position of a group") {
+TEST_CASE("every sample value is unpacked unchanged at every position of a group") {
   for (const Layout& layout : layouts) {
     CAPTURE(static_cast<int>(layout.packing));
     const uint32_t group = group_of(layout.packing).samples;
@@ -90,7 +90,7 @@ TEST_CASE("every value of a sample is unpacked at every position of a group") {
   }
 }
 
-TEST_CASE("rows of any width are unpacked, in place too, without writing beyond their end") {
+TEST_CASE("rows of any width are unpacked, even in place, without writing beyond their end") {
   for (const Layout& layout : layouts)
     for (uint32_t count = 0; count <= 41; ++count) {
       INFO("packing ", static_cast<int>(layout.packing), ", count ", count);
@@ -112,7 +112,7 @@ TEST_CASE("rows of any width are unpacked, in place too, without writing beyond 
     }
 }
 
-TEST_CASE("a packed row has a whole number of groups of bytes") {
+TEST_CASE("packed_bytes() rounds a row up to whole groups of bytes") {
   CHECK(packed_bytes(Packing::raw10, 0) == 0);
   CHECK(packed_bytes(Packing::raw10, 1) == 5);
   CHECK(packed_bytes(Packing::raw10, 640) == 800);
@@ -121,7 +121,7 @@ TEST_CASE("a packed row has a whole number of groups of bytes") {
   CHECK(packed_bytes(Packing::raw12, 641) == 963);
 }
 
-TEST_CASE("samples are unpacked as in the tables of the standards") {
+TEST_CASE("packed samples are unpacked as in the tables of the standards") {
   uint16_t samples[4] = {};
   const uint8_t raw10[] = {0xFF, 0x00, 0x80, 0x01, 0b11100100};
   unpack(Packing::raw10, raw10, 4, samples);

@@ -69,7 +69,7 @@ void check(const CropRange& x, const CropRange& y, const CropRange& z) {
 
 }  // namespace
 
-TEST_CASE("rows and samples are picked by range and step of each axis") {
+TEST_CASE("a cropper picks rows and samples by range and step on each axis") {
   const CropRange ranges[] = {{},           {0, 3, 1},    {2, rest, 1}, {1, 2, 2},
                               {0, rest, 2}, {1, rest, 3}, {5, 1, 7},    {0, rest, 40}};
   for (const CropRange& x : ranges)
@@ -77,7 +77,7 @@ TEST_CASE("rows and samples are picked by range and step of each axis") {
       for (const CropRange& z : ranges) check(x, y, z);
 }
 
-TEST_CASE("a cropper without a number of slices accepts any number of them") {
+TEST_CASE("a cropper without a number of slices accepts any number of slices") {
   RowCropper cropper;
   REQUIRE(cropper.start({4, 2}, {}, {1}, {1, rest, 2}) == Status::ok);
   for (uint32_t row = 0; row < 1000; ++row) {
@@ -86,7 +86,7 @@ TEST_CASE("a cropper without a number of slices accepts any number of them") {
   }
 }
 
-TEST_CASE("a cropper refuses ranges outside the volume and then changes nothing") {
+TEST_CASE("a refused start of a cropper with ranges outside the volume changes nothing") {
   RowCropper cropper;
   REQUIRE(cropper.start({4, 2}, {}, {}, {}) == Status::ok);
   const CropRange refused[] = {{4},    {5},    {4, rest, 2}, {0, 5},

@@ -69,7 +69,7 @@ struct Task {
 
 }  // namespace
 
-TEST_CASE("rows are read in order, and lost rows are marked in their place") {
+TEST_CASE("a row ring delivers rows in order and marks lost rows in their place") {
   Ring ring(2);
   Task task;
   CHECK(ring.peek() == Next::none);
@@ -95,7 +95,7 @@ TEST_CASE("rows are read in order, and lost rows are marked in their place") {
   CHECK(ring.block.is_intact());
 }
 
-TEST_CASE("free_row(ahead) returns a row only if the ring has room for it") {
+TEST_CASE("free_row(ahead) returns a row only if that row of the ring is free") {
   for (const uint32_t rows : {1U, 2U, 3U, 7U}) {
     Ring ring(rows);
     Task task;
@@ -123,14 +123,15 @@ TEST_CASE("free_row(ahead) returns a row only if the ring has room for it") {
   }
 }
 
-TEST_CASE("contiguous rows begin at aligned addresses") {
+TEST_CASE("rows of a ring are contiguous and begin at aligned addresses") {
   alignas(32) static uint8_t memory[RowRing::bytes_for(64, 3)];
   RowRing ring;
   REQUIRE(ring.start(64, 3, memory_of(memory)) == Status::ok);
   for (uint32_t ahead = 0; ahead < 3; ++ahead) CHECK(ring.free_row(ahead) == memory + 64 * ahead);
 }
 
-TEST_CASE("a ring refuses zero rows, empty rows and too little memory, and then changes nothing") {
+TEST_CASE(
+    "a ring refuses zero rows, empty rows and too little memory, and the refusal changes nothing") {
   Ring ring(3);
   CHECK(produce(ring));
   Block block(RowRing::bytes_for(row_bytes, 3) - 1);
@@ -146,13 +147,13 @@ TEST_CASE("a ring refuses zero rows, empty rows and too little memory, and then 
   CHECK(ring.free_row(2) == nullptr);
 }
 
-TEST_CASE("a ring that is not started has no room and no rows") {
+TEST_CASE("an unstarted ring has no free row and no rows to read") {
   RowRing ring;
   CHECK(ring.free_row() == nullptr);
   CHECK(ring.peek() == Next::none);
 }
 
-TEST_CASE("a restarted ring is empty") {
+TEST_CASE("a restarted ring has no rows") {
   Ring ring(3);
   for (int row = 0; row < 2; ++row) CHECK(produce(ring));
   ring.drop();
@@ -168,7 +169,7 @@ TEST_CASE("a restarted ring is empty") {
   CHECK(task.is_right);
 }
 
-TEST_CASE("any interleaving of writer and reader preserves the rows") {
+TEST_CASE("rows are unchanged for any interleaving of writer and reader") {
   test::Chance chance(7);
   for (const uint32_t rows : {1U, 2U, 3U, 5U, 8U}) {
     Ring ring(rows);
@@ -229,7 +230,7 @@ void check(Situation& situation) {
 
 }  // namespace
 
-TEST_CASE("an interrupt after any instruction of the task delivers its rows") {
+TEST_CASE("rows of an interrupt after any instruction of the task are delivered") {
   if (!reference::can_single_step) return;
   for (const State& state : states)
     for (const uint32_t rows : {1U, 3U})
@@ -246,8 +247,7 @@ TEST_CASE("an interrupt after any instruction of the task delivers its rows") {
       }
 }
 
-TEST_CASE(
-    "a task running after any instruction of the interrupt reads the rows that are complete") {
+TEST_CASE("a task after any instruction of the interrupt reads all complete rows") {
   if (!reference::can_single_step) return;
   for (const State& state : states)
     for (uint64_t at = 1;; ++at) {
@@ -267,7 +267,7 @@ TEST_CASE(
 
 // ---- threads: also run by the thread sanitizer ----
 
-TEST_CASE("a second thread writes rows faster and slower than they are read") {
+TEST_CASE("rows are unchanged if a second thread writes faster or slower than the reader") {
   constexpr uint32_t all = 5000;
   for (const uint32_t rows : {1U, 2U, 5U}) {
     Ring ring(rows);

@@ -73,7 +73,9 @@ void check_offsets(int32_t threshold) {
 
 }  // namespace
 
-TEST_CASE("a bit is on if its sample reaches the threshold, for rows of any width and address") {
+TEST_CASE(
+    "threshold_row() sets the bits of samples at or above the threshold, for any width and "
+    "address") {
   for (const int32_t threshold : {INT32_MIN, 0, 1, 100, 128, 200, 255, 256, INT32_MAX})
     check_rows<uint8_t>(threshold);
   for (const int32_t threshold : {0, 1, 300, 32768, 65535, 65536}) check_rows<uint16_t>(threshold);
@@ -81,7 +83,7 @@ TEST_CASE("a bit is on if its sample reaches the threshold, for rows of any widt
     check_rows<int16_t>(threshold);
 }
 
-TEST_CASE("a bit is on if its sample minus its column's offset reaches the threshold") {
+TEST_CASE("threshold_row() subtracts the offset of its column from each sample before comparing") {
   check_offsets<uint8_t>(100);
   check_offsets<uint16_t>(40000);
   check_offsets<int16_t>(-300);

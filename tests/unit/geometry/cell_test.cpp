@@ -108,13 +108,13 @@ void for_each_pair(int axis, Check check) {
 
 }  // namespace
 
-TEST_CASE("point numbers and positions convert both ways") {
+TEST_CASE("cell point numbers and positions convert in both directions") {
   for (CellPoint point = 0; point < point_codes; ++point) CHECK(point_at(position(point)) == point);
   CHECK(point_at({2, 2, 2}) == point_codes - 1);
   CHECK(position(centroid) == Vertex{1, 1, 1});
 }
 
-TEST_CASE("corner c lies at (c & 1, c >> 1 & 1, c >> 2), two half-steps apart") {
+TEST_CASE("corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2) in steps of 2") {
   CHECK(detail::derive::corner_position(0) == Vertex{0, 0, 0});
   CHECK(detail::derive::corner_position(1) == Vertex{2, 0, 0});
   CHECK(detail::derive::corner_position(2) == Vertex{0, 2, 0});
@@ -122,7 +122,7 @@ TEST_CASE("corner c lies at (c & 1, c >> 1 & 1, c >> 2), two half-steps apart") 
   CHECK(detail::derive::corner_position(7) == Vertex{2, 2, 2});
 }
 
-TEST_CASE("the twelve edge midpoints are the points with one odd coordinate") {
+TEST_CASE("edge midpoints are the twelve points with one odd coordinate") {
   std::set<CellPoint> midpoints;
   for (const CellEdge& edge : cell_edges())
     midpoints.insert(detail::derive::midpoint(edge.corner_a, edge.corner_b));
@@ -133,7 +133,7 @@ TEST_CASE("the twelve edge midpoints are the points with one odd coordinate") {
   }
 }
 
-TEST_CASE("a face's four corners lie on it, counter-clockwise seen from inside the cell") {
+TEST_CASE("the four corners of a face are counter-clockwise seen from inside the cell") {
   for (int face = 0; face < faces; ++face) {
     CAPTURE(face);
     const detail::derive::FaceCorners ring = detail::derive::face_corners(face);
@@ -169,7 +169,7 @@ TEST_CASE("face_of() returns the face that two edge midpoints share, if any") {
     }
 }
 
-TEST_CASE("a link to the centroid lies on no face") {
+TEST_CASE("a link to the centroid is on no face") {
   for (const CellEdge& edge : cell_edges()) {
     const CellPoint point = detail::derive::midpoint(edge.corner_a, edge.corner_b);
     CHECK(face_of(point, centroid) == faces);
@@ -177,7 +177,7 @@ TEST_CASE("a link to the centroid lies on no face") {
   }
 }
 
-TEST_CASE("the loops of a cell visit each crossing of its edges once") {
+TEST_CASE("the loops of a cell visit each crossed edge once") {
   for_each_configuration([](Configuration configuration) {
     std::multiset<CellPoint> passed;
     for (const LoopLink& link : loop_links(configuration)) passed.insert(link.from);
@@ -186,7 +186,7 @@ TEST_CASE("the loops of a cell visit each crossing of its edges once") {
   });
 }
 
-TEST_CASE("every link of a loop lies on a face and is a link of the lattice") {
+TEST_CASE("every link of a loop is on a face and is a link of the lattice") {
   for_each_configuration([](Configuration configuration) {
     for (const LoopLink& link : loop_links(configuration)) {
       CHECK(face_of(link.from, link.to) < faces);
@@ -196,7 +196,7 @@ TEST_CASE("every link of a loop lies on a face and is a link of the lattice") {
   });
 }
 
-TEST_CASE("a loop has 3 to 7 links and a cell up to 4 loops, and all of these occur") {
+TEST_CASE("loops have 3 to 7 links, cells have 0 to 4 loops, and every count occurs") {
   std::set<int> lengths;
   std::set<int> loop_counts;
   for_each_configuration([&](Configuration configuration) {
@@ -208,7 +208,7 @@ TEST_CASE("a loop has 3 to 7 links and a cell up to 4 loops, and all of these oc
   CHECK(loop_counts == std::set<int>{0, 1, 2, 3, 4});
 }
 
-TEST_CASE("a cell has at most 12 links on its faces and at most 6 on visited faces") {
+TEST_CASE("a cell has at most 12 links on faces and at most 6 on faces already visited") {
   size_t most = 0;
   std::ptrdiff_t max_behind = 0;
   for_each_configuration([&](Configuration configuration) {
@@ -222,7 +222,8 @@ TEST_CASE("a cell has at most 12 links on its faces and at most 6 on visited fac
   CHECK(max_behind == 6);
 }
 
-TEST_CASE("each link has on corners on its left and off corners on its right, seen from inside") {
+TEST_CASE(
+    "each link has an on corner on its left and an off corner on its right, seen from inside") {
   for_each_configuration([](Configuration configuration) {
     for (const LoopLink& link : loop_links(configuration)) {
       const int face = face_of(link.from, link.to);
@@ -238,7 +239,7 @@ TEST_CASE("each link has on corners on its left and off corners on its right, se
   });
 }
 
-TEST_CASE("links separate the on corners of an ambiguous face") {
+TEST_CASE("links on an ambiguous face separate the on corners") {
   int ambiguous = 0;
   for_each_configuration([&](Configuration configuration) {
     for (const LoopLink& link : loop_links(configuration)) {
@@ -251,7 +252,7 @@ TEST_CASE("links separate the on corners of an ambiguous face") {
   CHECK(ambiguous == 2 * 2 * faces * 16);
 }
 
-TEST_CASE("two cells that share a face run through the same links on it, in opposite directions") {
+TEST_CASE("two cells that share a face have the same links on the face, in opposite directions") {
   for (int axis = 0; axis < 3; ++axis) {
     CAPTURE(axis);
     int pairs = 0;

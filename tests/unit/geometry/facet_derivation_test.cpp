@@ -9,7 +9,7 @@
 namespace discmc {
 namespace {
 
-TEST_CASE("facet tables derived at run time equal those of the compiler") {
+TEST_CASE("facet tables derived at run time equal the compile-time tables") {
   Derived again{};
   again = derive_all();  // a constant would be derived by the compiler
   for (int c = 0; c <= configurations; ++c) CHECK(again.table.first[c] == facet_table.first[c]);
@@ -26,7 +26,7 @@ TEST_CASE("facet tables derived at run time equal those of the compiler") {
   }
 }
 
-TEST_CASE("the checks of the facet tables count correctly and reject wrong counts") {
+TEST_CASE("the checks of the facet tables count correctly and reject wrong numbers") {
   CHECK(configurations_with(7) == 32);
   CHECK(configurations_with(8) == 0);
   CHECK(occurs(3, 93));

@@ -56,7 +56,7 @@ std::set<Placed> placed_facets(int configuration) {
 
 }  // namespace
 
-TEST_CASE("a facet's code consists of its incidence and its shape") {
+TEST_CASE("facet_of() restores a facet from its incidence and its shape") {
   for_each_facet([](Facet facet) {
     CHECK(facet_of(incidence_of(facet), shape_of(facet)) == facet);
     CHECK(incidence_of(facet) != no_incidence);
@@ -81,7 +81,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("shape numbers match facet_table.hpp") {
+TEST_CASE("shape numbers are as documented in facet_table.hpp") {
   for_each_facet([](Facet facet) {
     const Incidence incidence = incidence_of(facet);
     const Vertex n = incidence_normal(incidence);
@@ -98,7 +98,7 @@ TEST_CASE("shape numbers match facet_table.hpp") {
   });
 }
 
-TEST_CASE("facets follow the rotations and reflections of their cell") {
+TEST_CASE("a rotated or reflected configuration has the rotated or reflected facets") {
   CHECK(cell_symmetries().size() == 48);
   for (const CellSymmetry& symmetry : cell_symmetries())
     for (int c = 0; c < configurations; ++c) {

@@ -41,7 +41,7 @@ bool is_zero(const LongVector& v) {
 
 }  // namespace
 
-TEST_CASE("a unit normal deviates at most 0.006 degrees and has length one") {
+TEST_CASE("a unit normal deviates at most 0.006 degrees and has unit length") {
   Chance chance(1);
   double worst = 0, worst_length = 0;
   const auto check = [&](const LongVector& v) {
@@ -59,7 +59,7 @@ TEST_CASE("a unit normal deviates at most 0.006 degrees and has length one") {
   CHECK(worst_length < 1e-4);
 }
 
-TEST_CASE("axes are exact, and opposite directions have opposite normals") {
+TEST_CASE("normals along axes are exact, and opposite directions have opposite normals") {
   CHECK(unit_normal(LongVector{0, 0, 7}) == UnitNormal{0, 0, 16384});
   CHECK(unit_normal(LongVector{-1, 0, 0}) == UnitNormal{-16384, 0, 0});
   CHECK(unit_normal(LongVector{0, INT64_MAX, 0}) == UnitNormal{0, 16384, 0});
@@ -74,7 +74,7 @@ TEST_CASE("axes are exact, and opposite directions have opposite normals") {
   }
 }
 
-TEST_CASE("vectors of the same direction have the same normal for any length") {
+TEST_CASE("vectors of one direction have the same normal, for any length") {
   CHECK(unit_normal(LongVector{1, 1, 1}) == unit_normal(LongVector{2, 2, 2}));
   CHECK(unit_normal(LongVector{1, -2, 3}) == unit_normal(LongVector{1 << 20, -(1 << 21), 3 << 20}));
 }
@@ -86,8 +86,8 @@ TEST_CASE("a vector of length zero has no normal") {
 }
 
 TEST_CASE(
-    "an octahedral normal deviates by less than 0.96 degrees, and by less than 0.33 in the "
-    "median") {
+    "an octahedral normal deviates by less than 0.96 degrees, and in the median by less than "
+    "0.33") {
   Chance chance(3);
   std::vector<double> angles;
   for (int i = 0; i < 300000; ++i) {
@@ -111,7 +111,8 @@ TEST_CASE("directions on the octahedron's rim and straight down have one encodin
   CHECK(octahedral_normal({0, 0, -1}) == OctahedralNormal{255, 255});
 }
 
-TEST_CASE("any two bytes decode to none or to a unit vector, which encodes back") {
+TEST_CASE(
+    "any two bytes decode to no normal or to a unit vector that encodes to an equivalent code") {
   for (int u = 0; u < 256; ++u)
     for (int v = 0; v < 256; ++v) {
       const OctahedralNormal encoded{static_cast<uint8_t>(u), static_cast<uint8_t>(v)};
@@ -161,7 +162,7 @@ TEST_CASE("extreme spacings and vectors do not overflow") {
   CHECK(unit_normal(weighted({INT64_MIN, 0, 0}, mirrored)) == UnitNormal{16384, 0, 0});
 }
 
-TEST_CASE("weights are rounded to the nearest, up to the next power of two") {
+TEST_CASE("axis weights are rounded to the nearest integer") {
   const AxisWeights halves = axis_weights({1, 65537, 65534});  // quarters of the products
   CHECK(halves.y == 65534 / 4 + 1);
   CHECK(halves.z == 65537 / 4);
@@ -179,13 +180,13 @@ TEST_CASE("a vector below 2^31 is weighted exactly") {
   check({INT32_MAX, 1, -INT32_MAX}, {INT32_MAX, -INT32_MAX, INT32_MAX});
 }
 
-TEST_CASE("without a spacing voxels are cubes") {
+TEST_CASE("a spacing with a zero component counts as cubic voxels") {
   const int32_t spacings[][3] = {{0, 7, 9}, {7, 0, 9}, {7, 9, 0}};
   for (const auto& spacing : spacings)
     CHECK(unit_normal(weighted({3, 4, 5}, axis_weights(spacing))) == unit_normal({3, 4, 5}));
 }
 
-TEST_CASE("vectors add up, and normals differ, by their components") {
+TEST_CASE("vectors add by component, and normals differ if any component differs") {
   const LongVector sum = LongVector{1, 2, 3} + LongVector{10, 200, 3000};
   CHECK(sum.x == 11);
   CHECK(sum.y == 202);
@@ -201,7 +202,7 @@ TEST_CASE("vectors add up, and normals differ, by their components") {
     CHECK(!(octahedral == other));
 }
 
-TEST_CASE("the area vectors of a closed surface cancel each other") {
+TEST_CASE("the area vectors of a closed surface add up to zero") {
   const reference::BitVolume volume = reference::ball({14, 13, 12}, {13, 12, 11}, 30);
   LongVector sum{0, 0, 0};
   uint64_t lengths = 0;
@@ -218,7 +219,7 @@ TEST_CASE("the area vectors of a closed surface cancel each other") {
   CHECK(is_zero(sum));
 }
 
-TEST_CASE("area vectors have the length of the area for every incidence") {
+TEST_CASE("area vectors are as long as the area for every incidence") {
   // A square of side 2, a rectangle of 2 by 2 sqrt(2), and a triangle of side sqrt(2).
   const LongVector axis = area_vector(incidence_of({0, 0, 1}), 2 * 4);
   const LongVector diagonal = area_vector(incidence_of({1, 1, 0}), 2 * 8);

@@ -7,7 +7,7 @@
 using namespace discmc;
 using test::for_each_incidence;
 
-TEST_CASE("a run ends where its links end, and coordinates wrap") {
+TEST_CASE("after_run() returns the vertex after a run's links, and coordinates wrap") {
   for_each_incidence([](Incidence incidence) {
     for (Direction direction = 0; direction < direction_count(incidence); ++direction) {
       Vertex at{7, -3, 100};
@@ -24,7 +24,8 @@ TEST_CASE("a run ends where its links end, and coordinates wrap") {
   CHECK(at == Vertex{INT32_MAX - 16, 0, 0});
 }
 
-TEST_CASE("the vertices of a plane share one offset, and neighbouring planes have another") {
+TEST_CASE(
+    "all vertices of a plane have the same offset, and a neighbouring plane has another offset") {
   for_each_incidence([](Incidence incidence) {
     const Vertex vertex{3, -4, 12};
     const int32_t offset = plane_offset(incidence, vertex);
@@ -36,7 +37,7 @@ TEST_CASE("the vertices of a plane share one offset, and neighbouring planes hav
   CHECK(plane_offset(incidence_of({1, 1, 1}), {INT32_MAX, INT32_MAX, INT32_MAX}) == INT32_MAX - 2);
 }
 
-TEST_CASE("a run is valid in a plane if its direction and length are") {
+TEST_CASE("a run is valid in a plane if its direction and its length are valid") {
   const Incidence corner = incidence_of({1, 1, 1});
   CHECK(is_run_of(corner, Run::straight(5, 1)));
   CHECK_FALSE(is_run_of(corner, Run::straight(6, 1)));

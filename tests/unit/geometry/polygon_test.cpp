@@ -78,7 +78,7 @@ constexpr Incidence up = incidence_of(Vertex{0, 0, 1});
 
 }  // namespace
 
-TEST_CASE("a ring is split equally in planes across any axis") {
+TEST_CASE("a ring is split into the same rings after a rotation of its axes") {
   for (uint32_t seed = 0; seed < 300; ++seed) {
     Ring ring = random_walk(seed, seed % 60, 7);
     const Rings expected = split(ring);
@@ -93,7 +93,7 @@ TEST_CASE("a ring is split equally in planes across any axis") {
   }
 }
 
-TEST_CASE("any ring is split as by a naive splitter, and no area is lost") {
+TEST_CASE("any ring is split as by a naive splitter, and its area is preserved") {
   for (uint32_t seed = 0; seed < 3000; ++seed) {
     const Ring ring = random_walk(seed, seed % 120, 1 + static_cast<int32_t>(seed % 13));
     const Rings rings = split(ring);
@@ -109,7 +109,8 @@ TEST_CASE("any ring is split as by a naive splitter, and no area is lost") {
   }
 }
 
-TEST_CASE("the sweep rings of a volume, whole or cut, split into the reference's simple rings") {
+TEST_CASE(
+    "the rings of a swept volume, whole or cut, split into the simple rings of the reference") {
   for (uint64_t seed = 0; seed < 60; ++seed) {
     const reference::BitVolume volume = reference::random({14, 13, 4}, 200, seed);
     const Limits limits{14, 13};
@@ -132,7 +133,8 @@ TEST_CASE("the sweep rings of a volume, whole or cut, split into the reference's
   }
 }
 
-TEST_CASE("a ring of half a million links is split: a slit vanishes, and a simple ring stays") {
+TEST_CASE(
+    "a ring of half a million links is split: a slit vanishes, and a simple ring is unchanged") {
   constexpr uint32_t half = 250000;
   Ring line;
   for (int32_t x = 0; x < static_cast<int32_t>(half); ++x) line.push_back({x, 0, 0});
@@ -142,7 +144,7 @@ TEST_CASE("a ring of half a million links is split: a slit vanishes, and a simpl
   CHECK(split(line) == Rings{line});
 }
 
-TEST_CASE("unfolding a chain yields a vertex per link, the start first") {
+TEST_CASE("ring_vertices() returns one vertex per link, beginning with the start") {
   const Run runs[] = {Run::straight(0, 3), Run::straight(2, 2), Run::straight(4, 3),
                       Run::straight(6, 2)};
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
@@ -164,7 +166,7 @@ TEST_CASE("unfolding a chain yields a vertex per link, the start first") {
   CHECK(link_count(longest, 2) == 2 * uint64_t{Run::max_length});
 }
 
-TEST_CASE("the area of a ring is exact over the whole range of coordinates") {
+TEST_CASE("the area of a ring is exact for the whole range of coordinates") {
   constexpr int32_t far = 65531;
   const Ring ring = {{-1, -1, 0}, {far, -1, 0}, {far, far, 0}, {-1, far, 0}};
   CHECK(twice_area(up, ring.data(), 4) == int64_t{2} * (far + 1) * (far + 1));
@@ -188,7 +190,7 @@ TEST_CASE("corners are the vertices between links of different directions, the s
   CHECK(corners == flat({{2, 0}, {2, 2}, {0, 2}, {0, 0}}));
 }
 
-TEST_CASE("keep_corners() keeps the requested vertices too") {
+TEST_CASE("keep_corners() keeps corners and the requested vertices") {
   for (uint32_t seed = 0; seed < 500; ++seed) {
     const Ring ring = random_walk(seed, seed % 40, 3);
     const auto count = static_cast<uint32_t>(ring.size());

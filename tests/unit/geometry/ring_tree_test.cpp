@@ -98,7 +98,8 @@ struct Rings {
 
 }  // namespace
 
-TEST_CASE("the point beside a link lies left of it, in and near the plane") {
+TEST_CASE(
+    "point_beside() returns a point inside a ring for its links, and outside for opposite links") {
   for_each_incidence([](Incidence incidence) {
     const std::vector<Run> runs = round_ring(incidence);
     Vertex at{5, 6, 8};
@@ -114,7 +115,7 @@ TEST_CASE("the point beside a link lies left of it, in and near the plane") {
   });
 }
 
-TEST_CASE("the point beside a link is an eighth of a half-step left of the link's middle") {
+TEST_CASE("point_beside() returns a point an eighth of a half-step left of the link's middle") {
   const Vertex at{5, 6, 8};
   for_each_incidence([&](Incidence incidence) {
     for (Direction direction = 0; direction < direction_count(incidence); ++direction) {
@@ -129,7 +130,7 @@ TEST_CASE("the point beside a link is an eighth of a half-step left of the link'
   });
 }
 
-TEST_CASE("a ring contains the points left of all its sides, even on the ray of a vertex") {
+TEST_CASE("a ring contains the points left of all its sides, even on the level of a vertex") {
   Chance chance(1);
   for_each_incidence([&](Incidence incidence) {
     const Vertex start{1, -6, 4};
@@ -164,7 +165,7 @@ TEST_CASE("a ring contains the points left of all its sides, even on the ray of 
   });
 }
 
-TEST_CASE("the crossing of a side is exact at the least and greatest coordinates") {
+TEST_CASE("the crossing of a side is exact at the minimal and maximal coordinates") {
   const Incidence side = incidence_of({1, 0, 0});
   const Direction rise = direction_of(side, Vertex{0, 0, 2});
   const RingSide wall(side, {1, INT32_MAX, INT32_MIN}, Run::straight(rise, Run::max_length));
@@ -173,7 +174,7 @@ TEST_CASE("the crossing of a side is exact at the least and greatest coordinates
   CHECK(wall.crossing(wall.end_line() - 1) == 8 * int64_t{INT32_MAX});
 }
 
-TEST_CASE("a tree finds rings by plane, line and position as an exhaustive search does") {
+TEST_CASE("a ring tree finds rings by plane, line and position like an exhaustive search") {
   Chance chance(3);
   Rings rings;
   RingTree<Rings> tree;
@@ -242,7 +243,7 @@ TEST_CASE("a tree finds rings by plane, line and position as an exhaustive searc
   }
 }
 
-TEST_CASE("two sides that begin at one vertex are apart just above it") {
+TEST_CASE("crossing_above() separates two sides that begin at the same vertex") {
   const Incidence up = incidence_of({0, 0, 1});
   const Vertex corner{5, 7, 1};
   const auto crossing_above = [&](const Vertex& link) {
@@ -255,7 +256,7 @@ TEST_CASE("two sides that begin at one vertex are apart just above it") {
   CHECK(crossing_above({1, 1, 0}) == 16 * 5 + 1);
 }
 
-TEST_CASE("a tree of sorted or equal rings is about as deep as one of random rings") {
+TEST_CASE("a tree of sorted or equal rings is about as deep as a tree of random rings") {
   for (const int32_t step : {0, 1}) {
     Rings rings;
     RingTree<Rings> tree;

@@ -52,7 +52,7 @@ std::vector<int32_t> shuffled_keys(uint32_t count, Chance& chance) {
 
 }  // namespace
 
-TEST_CASE("after any insertions and removals, a treap finds what a sorted list does") {
+TEST_CASE("a treap finds the same nodes as a sorted list after any insertions and removals") {
   Chance chance(1);
   const Nodes nodes(shuffled_keys(60, chance));
   Tree tree;
@@ -80,7 +80,7 @@ TEST_CASE("after any insertions and removals, a treap finds what a sorted list d
   }
 }
 
-TEST_CASE("the shape of a treap depends on its nodes, not on the order of the calls") {
+TEST_CASE("the shape of a treap depends only on its nodes, not on the order of calls") {
   Chance chance(2);
   constexpr uint32_t count = 300;
   const std::vector<int32_t> keys = shuffled_keys(count, chance);
@@ -103,7 +103,7 @@ TEST_CASE("the shape of a treap depends on its nodes, not on the order of the ca
   }
 }
 
-TEST_CASE("a treap stays shallow for any order and any step of numbers") {
+TEST_CASE("a treap of sorted keys is shallow for any stride of node numbers") {
   constexpr uint32_t count = 4000;
   std::vector<int32_t> keys(count);
   for (uint32_t i = 0; i < count; ++i) keys[i] = static_cast<int32_t>(i);

@@ -139,7 +139,7 @@ size_t fragments_in(const Pieces& pieces) {
 
 // ---- joined regions ----
 
-TEST_CASE("the loose fragments of a sweep are joined to its regions") {
+TEST_CASE("a joiner joins the loose fragments of a sweep to the regions") {
   Chance chance(1);
   for (const Surface& surface : surfaces())
     for (int round = 0; round < 20; ++round) {
@@ -154,7 +154,7 @@ TEST_CASE("the loose fragments of a sweep are joined to its regions") {
     }
 }
 
-TEST_CASE("loose fragments in any order are joined to the regions") {
+TEST_CASE("a joiner joins loose fragments in any order to the regions") {
   Chance chance(2);
   for (const Surface& surface : surfaces())
     for (int round = 0; round < 20; ++round) {
@@ -171,7 +171,7 @@ TEST_CASE("loose fragments in any order are joined to the regions") {
     }
 }
 
-TEST_CASE("interleaved streams of several slabs are joined to the regions") {
+TEST_CASE("a joiner joins interleaved streams of several slabs to the regions") {
   Chance chance(3);
   for (const Surface& surface : surfaces())
     for (const int32_t slab : {1, 2, 3, 7})
@@ -239,7 +239,7 @@ class Nest {
   Vertex corner_;
 };
 
-TEST_CASE("nested rings are assigned the right holes in any order and despite losses") {
+TEST_CASE("nested rings get the right holes in any order and despite losses") {
   constexpr int32_t none = -1;
   Chance chance(15);
   const Cuts cuts = cuts_of(chance);
@@ -288,7 +288,7 @@ TEST_CASE("a joiner's result does not depend on the initial contents of its memo
 
 // ---- little memory ----
 
-TEST_CASE("fragments passed on by a joiner with too little memory are joined by a second one") {
+TEST_CASE("fragments passed on by a joiner short of memory are joined by a second joiner") {
   Chance chance(6);
   for (const size_t index : {size_t{0}, size_t{1}, size_t{5}, size_t{7}}) {
     const Surface& surface = surfaces()[index];
@@ -329,7 +329,7 @@ TEST_CASE("more memory never makes a joiner pass on more fragments") {
   CHECK(passed_before == 0);
 }
 
-TEST_CASE("the peaks of a joiner are the exact capacities that suffice") {
+TEST_CASE("the peaks of a joiner are the smallest sufficient capacities") {
   Chance chance(8);
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
@@ -368,7 +368,7 @@ void check_crowd(const Events& events, const JoinPlan& plan, uint64_t regions) {
 
 }  // namespace
 
-TEST_CASE("too many ends in one part of the table count as a shortage of memory") {
+TEST_CASE("too many fragment ends in one part of the table count as a shortage of memory") {
   const std::vector<Run> runs = square_runs(2);
   for (const auto& [crowds_start, crowds_end] :
        {std::pair{true, true}, {true, false}, {false, true}}) {
@@ -395,7 +395,7 @@ Joined joined_in_room_for_one(const Events& events) {
 
 }  // namespace
 
-TEST_CASE("holes release their memory once they are joined") {
+TEST_CASE("joined holes release their memory") {
   Events events;
   for (int32_t z = 0; z < 40; z += 2) {
     const Nest nest({1, 0, z});
@@ -407,7 +407,7 @@ TEST_CASE("holes release their memory once they are joined") {
   CHECK(joined.report.rings == 20);
 }
 
-TEST_CASE("lost fragments release their runs") {
+TEST_CASE("lost fragments release the memory of their runs") {
   Events events;
   for (int i = 0; i < 10; ++i) {
     append(events, fragment_of(test::up, {1, 0, 0}, 6, square_runs(2)));
@@ -419,7 +419,7 @@ TEST_CASE("lost fragments release their runs") {
   CHECK(joined.report.regions == 1);
 }
 
-TEST_CASE("fragments that cannot be joined can be dropped") {
+TEST_CASE("a joiner with Unjoined::dropped drops fragments that cannot be joined") {
   Chance chance(9);
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
@@ -462,7 +462,7 @@ struct WholeRegions {
 
 }  // namespace
 
-TEST_CASE("a region sink receives the whole regions of an extractor short of memory") {
+TEST_CASE("a region sink delivers the whole regions of an extractor short of memory") {
   for (const BitVolume& volume : {plate(13), random({9, 8, 7}, 128, 1), spiral({13, 13, 5})})
     for (const EventLog::Refuses& refuses : {EventLog::Refuses(), {refuses_first}}) {
       const WholeRegions got(volume, 100000, refuses);
@@ -473,7 +473,7 @@ TEST_CASE("a region sink receives the whole regions of an extractor short of mem
     }
 }
 
-TEST_CASE("a region sink misses the fragments that exceed its joiner, and the report counts them") {
+TEST_CASE("a region sink lacks the fragments that exceed its joiner, and the report counts these") {
   const BitVolume volume = random({9, 8, 7}, 128, 1);
   const WholeRegions got(volume, Joiner::minimum_bytes());
   CHECK(count(got.log.events, Kind::region) < merge(volume, true).size());
@@ -490,7 +490,7 @@ TEST_CASE("make_region_sink() returns no function if the joiner has too little m
 
 // ---- refusals ----
 
-TEST_CASE("a sink that refuses any event receives the same events") {
+TEST_CASE("the events of a joiner are the same even if the sink refuses any event") {
   Chance chance(10);
   const Surface& surface = surfaces()[0];
   for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
@@ -517,7 +517,7 @@ TEST_CASE("a sink that refuses any event receives the same events") {
 }
 
 TEST_CASE(
-    "completed regions are delivered once the event is accepted, even if the sink refuses first") {
+    "completed regions are delivered after the event is accepted, even if the sink refuses first") {
   Chance chance(16);
   for (const JoinCapacities& capacities : {JoinCapacities{500, 5000}, {12, 100}, {1, 1}}) {
     const Events events = events_of(cut(surfaces()[1].regions, cuts_of(chance)));
@@ -563,7 +563,8 @@ size_t count_chains(const Pieces& left) {
 
 }  // namespace
 
-TEST_CASE("a region is right if all its fragments arrive, and the other fragments are counted") {
+TEST_CASE(
+    "a region is right if all its fragments arrive, and fragments of other regions are counted") {
   Chance chance(11);
   for (const Surface& surface : surfaces())
     for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
@@ -588,7 +589,8 @@ TEST_CASE("a region is right if all its fragments arrive, and the other fragment
       }
 }
 
-TEST_CASE("a fragment lost halfway is discarded, and reported if the sink received a part") {
+TEST_CASE(
+    "a fragment lost halfway is discarded, and reported as lost if the sink has received a part") {
   const Events whole = square_region({1, 0, 0}, 3).region_end().events;
   Events events = fragment_of(test::up, {1, 0, 0}, 2, {Run::straight(2, 3)});
   events.back() = test::Script().lost().events[0];
@@ -603,7 +605,7 @@ TEST_CASE("a fragment lost halfway is discarded, and reported if the sink receiv
   CHECK(joined.events == events);
 }
 
-TEST_CASE("the loss of a passed-on fragment is reported to the sink") {
+TEST_CASE("a joiner reports the loss of a passed-on fragment to the sink") {
   // Room for one run, so every fragment is passed on.
   Events events = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
   append(events, fragment_of(test::up, {7, 0, 0}, 6, {Run::straight(0, 3)}));
@@ -617,7 +619,7 @@ TEST_CASE("the loss of a passed-on fragment is reported to the sink") {
   CHECK(join_all(events, plan).events.empty());
 }
 
-TEST_CASE("a region with a loss claims no holes") {
+TEST_CASE("a region lost before its end gets no holes") {
   const Nest nest({1, 0, 0});
   Events begun = nest.begin_region(0).lost().events;
   append(begun, test::Script().region(test::up).region_end().events);
@@ -627,7 +629,7 @@ TEST_CASE("a region with a loss claims no holes") {
   CHECK(join_all(events, {}).events == begun);
 }
 
-TEST_CASE("an invalid region leaves the waiting holes of its plane") {
+TEST_CASE("an invalid region leaves the waiting holes of its plane unassigned") {
   const Events hole = square_fragment(inwards({1, 0, 0}, 2), 1, true);
   const auto in_region = [&](Incidence incidence, Run first, Run last) {
     test::Script region;
@@ -650,7 +652,7 @@ TEST_CASE("an invalid region leaves the waiting holes of its plane") {
 
 // ---- the end ----
 
-TEST_CASE("the finish event counts the delivered pieces") {
+TEST_CASE("the finish event of a joiner counts the delivered pieces") {
   Chance chance(12);
   const Surface& surface = surfaces()[0];
   for (const JoinPlan& plan : {JoinPlan{InputOrder::sweep, {500, 5000}},
@@ -677,7 +679,7 @@ TEST_CASE("the finish event counts the delivered pieces") {
   }
 }
 
-TEST_CASE("several streams end with a single finish event") {
+TEST_CASE("several joined streams end with a single finish event") {
   const Statistics one{1, 2, 3, 4, 5, 6, 7, 8}, two{10, 20, 30, 40, 50, 60, 70, 80};
   const Statistics sum{11, 22, 33, 44, 55, 66, 77, 88};
   Events events = {finish_of(one, 3, true), finish_of(two, 4, false)};
@@ -692,7 +694,7 @@ TEST_CASE("several streams end with a single finish event") {
   CHECK(count(joined.events, Kind::finish) == 1);
 }
 
-TEST_CASE("loose fragments of an aborted stream count like those of others") {
+TEST_CASE("loose fragments of an aborted stream count like loose fragments of other streams") {
   Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   events.push_back(finish_of({}, 3, false));
   const Joined joined = join_all(events, {InputOrder::any});
@@ -701,7 +703,7 @@ TEST_CASE("loose fragments of an aborted stream count like those of others") {
   CHECK(joined.events.back() == finish_of(expected, 3, false));
 }
 
-TEST_CASE("the first start of several streams is delivered once the sink accepts") {
+TEST_CASE("the first start event of several streams is delivered once the sink accepts") {
   EventLog log;
   struct Late {
     SinkResult accept(const Event& event) {
@@ -735,7 +737,7 @@ TEST_CASE("a finish event without statistics is accepted") {
   CHECK(log.events == Events{finish_of({}, 7, false)});
 }
 
-TEST_CASE("after a finish event the joiner is empty and has all of its memory") {
+TEST_CASE("a joiner is empty and has all of its memory after a finish event") {
   const std::vector<Run> runs = square_runs(2);
   const Events half = fragment_of(test::up, {1, 0, 0}, 6, {runs[0], runs[1]});
   const Events rest = fragment_of(test::up, inwards({1, 0, 0}, 2), 2, {runs[2], runs[3]});
@@ -763,7 +765,7 @@ TEST_CASE("after a finish event the joiner is empty and has all of its memory") 
   CHECK(join_after_half(many, {2, 10}) == many);
 }
 
-TEST_CASE("a stream that breaks off ends without a finish event") {
+TEST_CASE("a stream without a finish event is joined without a finish event") {
   const Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   CHECK(join_all(events, {}).events == events);
   Events begun = events;
@@ -773,7 +775,7 @@ TEST_CASE("a stream that breaks off ends without a finish event") {
 
 // ---- any events ----
 
-TEST_CASE("the second of two fragments with the same start or end is unmatched") {
+TEST_CASE("the second of two fragments with the same start or end counts as unmatched") {
   const Events first = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   const Events same_start = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(2, 2)});
   const Events same_end =
@@ -825,7 +827,7 @@ TEST_CASE("a fragment without an end is discarded when the next piece begins") {
   }
 }
 
-TEST_CASE("an end without a beginning has no effect") {
+TEST_CASE("an end event without a beginning is ignored") {
   const RecordedEvent lost = test::Script().lost().events[0];
   Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   events.insert(events.end() - 1, lost);
@@ -840,7 +842,7 @@ TEST_CASE("an end without a beginning has no effect") {
   CHECK(joined.report.received == 1);
 }
 
-TEST_CASE("a region interrupted by a fragment leaves the holes for the next region") {
+TEST_CASE("a region interrupted by a fragment leaves its holes to the next region") {
   const Nest nest({1, 0, 0});
   Events events = square_fragment(inwards({1, 0, 0}, 2), 2, true);
   append(events, nest.begin_region(0).events);
@@ -855,7 +857,7 @@ TEST_CASE("a region interrupted by a fragment leaves the holes for the next regi
   CHECK(std::equal(first.begin(), first.end(), joined.events.begin()));
 }
 
-TEST_CASE("a region interrupted by the finish event claims no holes") {
+TEST_CASE("a region interrupted by the finish event gets no holes") {
   // The hole lies beside it, and its ray meets two sides.
   const Events hole = square_fragment(inwards({1, 0, 0}, 2) + Vertex{-60, 0, 0}, 2, true);
   const Events whole = Nest({1, 0, 0}).region(0, false);
@@ -875,7 +877,7 @@ TEST_CASE("a region interrupted by the finish event claims no holes") {
   CHECK(joined == expected);
 }
 
-TEST_CASE("a ring that winds by zero is not delivered as a region") {
+TEST_CASE("a ring with winding number zero is not delivered as a region") {
   // An eight.
   std::vector<Run> runs = square_runs(2);
   for (const int direction : {4, 2, 0, 6})
@@ -887,7 +889,7 @@ TEST_CASE("a ring that winds by zero is not delivered as a region") {
   }
 }
 
-TEST_CASE("a long side is a single run up to the maximal length of a run") {
+TEST_CASE("runs of a side are merged into one run up to the maximal length") {
   constexpr uint32_t most = Run::max_length;
   const auto rings = [&](uint32_t before, uint32_t behind) {
     // One side in two runs, then the rest of the triangle.
@@ -906,7 +908,7 @@ TEST_CASE("a long side is a single run up to the maximal length of a run") {
   CHECK(rings(most - 7, 7).report.regions == 1);
 }
 
-TEST_CASE("coordinates wrap for any start and length of fragments") {
+TEST_CASE("coordinates wrap for fragments with any start and length") {
   Chance chance(13);
   for (int round = 0; round < 500; ++round) {
     Events events;
@@ -934,7 +936,7 @@ TEST_CASE("coordinates wrap for any start and length of fragments") {
   }
 }
 
-TEST_CASE("events in an order outside the grammar terminate and stay within the memory") {
+TEST_CASE("events in an invalid order terminate and write only to the joiner's memory") {
   Chance chance(14);
   for (int round = 0; round < 300; ++round) {
     const Surface& surface = surfaces()[static_cast<size_t>(round) % surfaces().size()];
@@ -956,7 +958,7 @@ TEST_CASE("events in an order outside the grammar terminate and stay within the 
 
 // ---- the start ----
 
-TEST_CASE("a refused start() changes nothing") {
+TEST_CASE("a refused start() of a joiner changes nothing") {
   std::vector<uint8_t> memory(4000, 0xA5);
   const Memory all{memory.data(), memory.size()};
   EventLog log, other;
@@ -989,7 +991,7 @@ TEST_CASE("a refused start() changes nothing") {
   CHECK(joiner.finish() == Status::ok);
 }
 
-TEST_CASE("a joiner that is started again is empty") {
+TEST_CASE("a restarted joiner is empty") {
   std::vector<uint8_t> memory(4000, 0xA5);
   EventLog log;
   Joiner joiner;
@@ -1006,7 +1008,7 @@ TEST_CASE("a joiner that is started again is empty") {
   CHECK(log.events.empty());
 }
 
-TEST_CASE("the default split uses all of the memory and no more") {
+TEST_CASE("default_capacities() uses all of the memory and no more") {
   CHECK(Joiner::default_capacities(0).fragments == 1);
   for (const uint32_t fragments : {2U, 3U, 1000U}) {
     const uint64_t bytes = Joiner::bytes_for({fragments, 8 * fragments});

@@ -134,7 +134,7 @@ const std::vector<Run> outer = {Run::straight(0, 1), Run::straight(2, 1), Run::s
 
 }  // namespace
 
-TEST_CASE("the rings inside an outer ring are found, and those around which a hole runs") {
+TEST_CASE("the waiting rings inside an outer ring are found, and the outer rings around a hole") {
   Chance chance(1);
   uint32_t insides = 0;
   for (int round = 0; round < 3000; ++round) {
@@ -171,7 +171,8 @@ TEST_CASE("the rings inside an outer ring are found, and those around which a ho
   CHECK(insides > 1000);
 }
 
-TEST_CASE("outer rings are removed from the lowest on, and equal ones in order of arrival") {
+TEST_CASE(
+    "outer rings are removed in ascending order, and equally high rings in order of arrival") {
   Waiting waiting;
   std::vector<uint32_t> low, high;
   for (int32_t i = 0; i < 40; ++i) {
@@ -190,7 +191,7 @@ TEST_CASE("outer rings are removed from the lowest on, and equal ones in order o
   CHECK(waiting.has_any(up, {0, 0, 1}));
 }
 
-TEST_CASE("outer rings are removed from the lowest on for any start and any order of joining") {
+TEST_CASE("outer rings are removed in ascending order for any start and any order of joining") {
   Chance chance(2);
   for (int round = 0; round < 1000; ++round) {
     Waiting waiting;
@@ -212,7 +213,7 @@ TEST_CASE("outer rings are removed from the lowest on for any start and any orde
   }
 }
 
-TEST_CASE("after clear() no ring waits") {
+TEST_CASE("clear() removes all waiting rings") {
   Waiting waiting;
   for (int32_t x = 0; x < 3; ++x) waiting.insert(up, {4 * x, 0, 1}, outer);
   waiting.remove_outers(1);

@@ -55,7 +55,7 @@ WaitingKey key_at(uint32_t i) {
 
 }  // namespace
 
-TEST_CASE("an entry is found under its key until it is removed") {
+TEST_CASE("a table entry is found by its key until removed") {
   Table table(30);
   CHECK(table.find(key_at(1)) == 0);
   CHECK(table.insert(key_at(1)));
@@ -69,7 +69,7 @@ TEST_CASE("an entry is found under its key until it is removed") {
   CHECK(table.find(key_at(2)) == 0);
 }
 
-TEST_CASE("every member of a key counts for its hash and its comparison") {
+TEST_CASE("the hash and the comparison of a key depend on every member") {
   const WaitingKey key{{1, 2, 3}, 4, 5};
   Table table(100);
   REQUIRE(table.insert(key));
@@ -86,7 +86,7 @@ TEST_CASE("every member of a key counts for its hash and its comparison") {
   }
 }
 
-TEST_CASE("replace() changes only the entry of its own key, even if another has the same value") {
+TEST_CASE("replace() changes only the entry of its key, even if another entry has the same value") {
   std::vector<uint32_t> hashes(8), values(8);
   WaitingTable table;
   table.start(hashes.data(), values.data(), 8);
@@ -116,7 +116,7 @@ TEST_CASE("a full table refuses an insertion and keeps its entries") {
   }
 }
 
-TEST_CASE("a full window refuses an insertion although the table has room, and loses no entry") {
+TEST_CASE("a full window refuses an insertion although the table has room, and keeps its entries") {
   constexpr uint32_t buckets = 1000;
   Table table(buckets);
   uint32_t refused = 0;
@@ -139,7 +139,7 @@ TEST_CASE("buckets_for() provides enough buckets for the given number of entries
   }
 }
 
-TEST_CASE("the table equals a list under random insertions and removals") {
+TEST_CASE("the waiting table equals a list under random insertions and removals") {
   Chance chance(1);
   for (const uint32_t buckets : {1U, 7U, 64U, 65U, 300U}) {
     Table table(buckets);
@@ -158,7 +158,7 @@ TEST_CASE("the table equals a list under random insertions and removals") {
   }
 }
 
-TEST_CASE("replace() changes the given value among several under one key") {
+TEST_CASE("replace() changes only the entry with the given value among several entries of a key") {
   Table table(30);
   const WaitingKey key = key_at(5);
   REQUIRE(table.table().insert(key, 1));

@@ -125,7 +125,8 @@ TEST_CASE("a checkpoint at any row continues a stream of slices with the same by
     }
 }
 
-TEST_CASE("rows, records and skipped rows sent before a checkpoint are not repeated") {
+TEST_CASE(
+    "rows, records and skipped rows sent before a checkpoint are not sent again after restore()") {
   SliceDevice first(smooth(), plans[1]), second(smooth(), plans[1]);
   first.start();
   first.scan_to(50);

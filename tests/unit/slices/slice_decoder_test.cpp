@@ -195,7 +195,7 @@ void check_unreadable(uint8_t bits, const std::vector<Bytes>& parts) {
 
 }  // namespace
 
-TEST_CASE("slices that no encoder produces are refused") {
+TEST_CASE("a slice decoder refuses slices that no encoder produces") {
   const Bytes code = Code().row(Bytes(5, 0x55)).rows_off(2).end();
   REQUIRE(code.size() > 6);
   check_unreadable(SliceBits::key | SliceBits::last, {key(0), code});  // not the first of its code
@@ -217,7 +217,7 @@ TEST_CASE("slices that no encoder produces are refused") {
     check_unreadable(of_key, {key(0), Code().note(note).end()});  // undefined notes
 }
 
-TEST_CASE("a code without an end, or with bytes after its end, is refused at that point") {
+TEST_CASE("a code without an end, or with bytes after its end, counts as a damaged packet") {
   const Bytes rows = Code().rows_off(2).finish();
   Bytes more = Code().rows_off(2).end();
   more.resize(more.size() + 8);
@@ -230,7 +230,7 @@ TEST_CASE("a code without an end, or with bytes after its end, is refused at tha
   CHECK(longer.damaged_packets == 1);
 }
 
-TEST_CASE("a truncated code counts as one damaged packet and yields fewer than 50 rows") {
+TEST_CASE("a truncated code counts as a damaged packet and yields fewer than 50 rows") {
   const Bytes dotted = Code().row(Bytes(5, 0x55)).end();
   for (size_t bytes = 0; bytes + 1 < dotted.size(); ++bytes) {
     const Bytes part(dotted.begin(), dotted.begin() + static_cast<std::ptrdiff_t>(bytes));
@@ -240,7 +240,7 @@ TEST_CASE("a truncated code counts as one damaged packet and yields fewer than 5
   }
 }
 
-TEST_CASE("a code continues a row only where the previous code was cut") {
+TEST_CASE("a code continues a row only if the previous code was cut in that row") {
   constexpr uint8_t of_cut = of_key | SliceBits::cut;
   const Bytes one_on{0, 4, 0, 0, 0};
   Code code;
@@ -277,7 +277,7 @@ TEST_CASE("a code continues a row only where the previous code was cut") {
   CHECK(torn.damaged_packets == 1);
 }
 
-TEST_CASE("a code may be cut in the row of any surface") {
+TEST_CASE("a code may be cut within the row of any surface") {
   for (const uint32_t surface : {0U, 1U, 2U}) {
     CAPTURE(surface);
     Code code(3);
@@ -302,7 +302,7 @@ TEST_CASE("a code may be cut in the row of any surface") {
   }
 }
 
-TEST_CASE("a loss behind a cut costs the rows up to the next key slice") {
+TEST_CASE("a lost packet after a cut loses the rows up to the next key slice") {
   Code code;
   const Bytes begun = code.begin_row({0, 4, 0, 0, 0}).finish();
   const ReceivedRows received = Stream()
@@ -315,7 +315,7 @@ TEST_CASE("a loss behind a cut costs the rows up to the next key slice") {
   CHECK(received.report.rows == 3);
 }
 
-TEST_CASE("a key slice before the current position, or amid its rows, is refused") {
+TEST_CASE("a key slice before the current position, or amid the current rows, is refused") {
   const ReceivedRows again = Stream()
                                  .slices(of_key, {key(0), Code().rows_off(3).end()})
                                  .slices(of_key, {key(0), Code().rows_off(3).end()})
@@ -335,7 +335,7 @@ TEST_CASE("a key slice before the current position, or amid its rows, is refused
   }
 }
 
-TEST_CASE("a key slice may have the last slice number, and all rows before it are lost") {
+TEST_CASE("a key slice with the last slice number is accepted, and all previous rows are lost") {
   const uint32_t slice = Limits::max_slices - 1;
   const ReceivedRows received =
       Stream().slices(of_key, {key(slice), Code().rows_off(1).end()}).received();
@@ -344,7 +344,7 @@ TEST_CASE("a key slice may have the last slice number, and all rows before it ar
   CHECK(received.rows[1].event.slice == slice);
 }
 
-TEST_CASE("a trailer that counts fewer rows than arrived reports none lost") {
+TEST_CASE("a trailer that counts fewer rows than arrived reports no lost rows") {
   for (const uint64_t rows : {3U, 4U, 5U}) {
     const ReceivedRows received =
         Stream().slices(of_key, {key(0), Code().rows_off(4).end()}).trailer(rows).received();
@@ -391,7 +391,7 @@ TEST_CASE("a restarted slice decoder is independent of the previous stream") {
     }
 }
 
-TEST_CASE("a restarted slice decoder forgets its refusal and its last slice") {
+TEST_CASE("a restarted slice decoder forgets the refused event and the last slice") {
   const Bytes stream = Stream().slices(of_key, {key(0), Code().rows_off(3).end()}).bytes();
   const Bytes unheard = Stream().slices(whole_code, {Code().rows_off(3).end()}).bytes();
   Bytes memory(SliceDecoder::minimum_bytes(limits));
@@ -409,7 +409,7 @@ TEST_CASE("a restarted slice decoder forgets its refusal and its last slice") {
   }
 }
 
-TEST_CASE("a packet may end after four bytes of a code, and the next packet continues it") {
+TEST_CASE("a packet may end after four bytes of a code, which the next packet continues") {
   const Bytes code = Code().row(Bytes(5, 0x55)).rows_off(2).end();
   const auto fifth = code.begin() + 4;
   const StreamReport report =
@@ -447,7 +447,8 @@ TEST_CASE("packets after the trailer are ignored") {
   CHECK(received.rows.back().is(Kind::finish));
 }
 
-TEST_CASE("a sink may refuse starts, rows, losses and the end, and is offered them again") {
+TEST_CASE(
+    "a sink may refuse starts, rows, losses and the end, and the decoder repeats each event") {
   const Bytes stream =
       Stream(2)
           .slices(of_key, {key(1), Code(2).rows_off(2).repeated_row().rows_off(2).end()})
@@ -488,13 +489,13 @@ TEST_CASE("a sink may refuse starts, rows, losses and the end, and is offered th
   CHECK(willing.events == sullen.events);
 }
 
-TEST_CASE("a frame that is cut off at the end of a stream of slices is damaged") {
+TEST_CASE("a truncated frame at the end of a stream of slices counts as damaged") {
   Bytes stream = Stream().trailer(0).bytes();
   stream.push_back(1);
   CHECK(decode_slices(stream, size).report.damaged_packets == 1);
 }
 
-TEST_CASE("slice_decoder_bytes() is exactly enough for any width") {
+TEST_CASE("slice_decoder_bytes() is exactly sufficient for any width") {
   for (const uint32_t width : {1U, 8U, 9U, 64U, 65U, 1000U, 32766U}) {
     CAPTURE(width);
     const Bytes stream = encode_slices(reference::random({width, 2, 2}, 60, 3));
@@ -508,7 +509,7 @@ TEST_CASE("slice_decoder_bytes() is exactly enough for any width") {
   }
 }
 
-TEST_CASE("set_memory() succeeds only for a started slice decoder short of memory") {
+TEST_CASE("set_memory() succeeds only for a started slice decoder without enough memory") {
   const Bytes stream = encode_slices(reference::random(size, 60, 3));
   Bytes memory(SliceDecoder::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
@@ -529,7 +530,7 @@ TEST_CASE("set_memory() succeeds only for a started slice decoder short of memor
   CHECK(decoder.finish() == Status::ok);
 }
 
-TEST_CASE("a slice decoder ignores a stream of regions and needs no memory for it") {
+TEST_CASE("a slice decoder ignores a stream of regions and needs no memory for that stream") {
   const BitVolume volume = reference::random(size, 60, 3);
   SliceDecoder decoder;
   RowLog log(false);
@@ -541,7 +542,7 @@ TEST_CASE("a slice decoder ignores a stream of regions and needs no memory for i
   CHECK_FALSE(decoder.report().holds_slices);
 }
 
-TEST_CASE("packet numbers of slices wrap, and half of them count as repeated") {
+TEST_CASE("packet numbers of slices wrap, and numbers half their range ahead count as repeated") {
   constexpr uint32_t half = 1U << 23;
   const Bytes code = Code().rows_off(1).end();
   for (const uint32_t lost : {0U, 1U, 255U, 256U, 65535U, 65536U, half - 1, half, 2 * half - 2}) {
@@ -561,7 +562,7 @@ TEST_CASE("packet numbers of slices wrap, and half of them count as repeated") {
   CHECK(stream.received().report.lost_packets == 5 * (half - 1));
 }
 
-TEST_CASE("a trailer of slices that is too short is ignored") {
+TEST_CASE("a trailer of slices below the minimal length is ignored") {
   const ReceivedRows received =
       Stream().add(detail::wire::PacketKind::slices_trailer, 0, Bytes(24)).received();
   CHECK_FALSE(received.report.has_trailer);
@@ -569,7 +570,7 @@ TEST_CASE("a trailer of slices that is too short is ignored") {
   CHECK(received.rows.empty());
 }
 
-TEST_CASE("missing packets disable the digest of the trailer") {
+TEST_CASE("lost packets disable the check of the trailer's digest") {
   for (const uint32_t lost : {0U, 1U, 300U}) {
     const StreamReport report = Stream().lose_packets(lost).trailer(0).received().report;
     CHECK(report.has_trailer);

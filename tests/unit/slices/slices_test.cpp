@@ -78,7 +78,7 @@ TEST_CASE("volumes of any width and height are decoded unchanged") {
           check_round_trip(reference::random({width, height, 3}, density, width), {{interval}});
 }
 
-TEST_CASE("rows that are all off, all on or nearly so are decoded unchanged") {
+TEST_CASE("rows that are all off, all on or nearly all off or on are decoded unchanged") {
   for (const uint32_t width : {1U, 29U, 30U, 31U, 59U, 60U, 100U, 1000U}) {
     BitVolume volume({width, 6, 4});
     check_round_trip(volume);
@@ -95,7 +95,7 @@ TEST_CASE("rows that are all off, all on or nearly so are decoded unchanged") {
   }
 }
 
-TEST_CASE("the stream does not depend on portions or on the speed of the line") {
+TEST_CASE("a stream of slices does not depend on portions or on the speed of the line") {
   const BitVolume volume = reference::random({37, 11, 9}, 90, 5);
   for (const uint32_t interval : {0U, 1U, 4U}) {
     const Bytes stream = encode_slices(volume, {{interval}});
@@ -105,7 +105,7 @@ TEST_CASE("the stream does not depend on portions or on the speed of the line") 
   }
 }
 
-TEST_CASE("decoded rows do not depend on portions or on refusals") {
+TEST_CASE("decoded rows do not depend on portions of the stream or on refusals") {
   const BitVolume volume = reference::random({45, 9, 30}, 128, 6);
   const Bytes stream = encode_slices(volume, {{8}});
   for (const size_t chunk : {0U, 1U, 2U, 13U, 300U})
@@ -113,7 +113,7 @@ TEST_CASE("decoded rows do not depend on portions or on refusals") {
       check_rows(volume, decode_slices(stream, {45, 9, 30}, chunk, refuses));
 }
 
-TEST_CASE("every row before a flush arrives") {
+TEST_CASE("every row pushed before a flush arrives") {
   const BitVolume volume = ball(20);
   for (const uint32_t rows : {1U, 3U, 20U, 77U}) {
     SlicePlan plan{{5}};
@@ -136,7 +136,7 @@ TEST_CASE("every row before a flush arrives") {
   }
 }
 
-TEST_CASE("samples are compared with the threshold of the header, at a stride") {
+TEST_CASE("samples with a stride are compared with the threshold in the header") {
   const StreamHeader header{40, 2, 0, {}, {-5}};
   Line line;
   StartedSliceEncoder encoder(header, line.output());
@@ -156,7 +156,7 @@ TEST_CASE("samples are compared with the threshold of the header, at a stride") 
   }
 }
 
-TEST_CASE("a stride continues from row to row") {
+TEST_CASE("a stride continues from one row to the next") {
   const BitVolume volume = reference::random({33, 5, 2}, 128, 11);
   std::vector<uint8_t> apart(3 * volume.on.size());
   for (size_t i = 0; i < volume.on.size(); ++i) apart[3 * i] = volume.on[i];
@@ -168,7 +168,7 @@ TEST_CASE("a stride continues from row to row") {
   CHECK(device.line.bytes == other.line.bytes);
 }
 
-TEST_CASE("a skipped row is reported with its substitute") {
+TEST_CASE("a skipped row is reported with its kind of substitute") {
   const BitVolume volume = reference::random({33, 5, 4}, 128, 7);
   for (const size_t bytes_at_once : {0U, 1U}) {
     Device device({33, 5}, {3}, bytes_at_once);
@@ -202,7 +202,7 @@ TEST_CASE("a skipped row is reported with its substitute") {
   }
 }
 
-TEST_CASE("an abandoned scan ends at its last row") {
+TEST_CASE("an abandoned scan of slices ends at its last row") {
   const BitVolume volume = ball(12);
   Device device({12, 12});
   push_rows(device.encoder, volume.on.data(), 12 * 30 + 5, 100);
@@ -221,7 +221,7 @@ TEST_CASE("an abandoned scan ends at its last row") {
   CHECK(received.rows.back().event.slice == 3);
 }
 
-TEST_CASE("a slice counts as seen with its first row") {
+TEST_CASE("a started slice counts as a slice from its first row") {
   const BitVolume volume = ball(12);
   for (const uint32_t rows : {0U, 1U, 12U, 13U}) {
     CAPTURE(rows);
@@ -234,7 +234,7 @@ TEST_CASE("a slice counts as seen with its first row") {
   }
 }
 
-TEST_CASE("skipped rows fill packets like other rows") {
+TEST_CASE("skipped rows fill packets in the same way as other rows") {
   const BitVolume volume = reference::random({3, 4000, 1}, 128, 12);
   for (const size_t bytes_at_once : {0U, 100U, 1000U}) {
     CAPTURE(bytes_at_once);
@@ -254,7 +254,7 @@ TEST_CASE("skipped rows fill packets like other rows") {
   }
 }
 
-TEST_CASE("a push that is not suspended has encoded its row, even on a busy line") {
+TEST_CASE("a push_bits() that returns ok has encoded its row, even on a busy line") {
   // Rows of several packets, and rows before each of which a packet ends.
   for (const reference::Size& size : {reference::Size{6000, 2, 3}, {30, 1, 50}}) {
     CAPTURE(size.width);
@@ -277,7 +277,7 @@ TEST_CASE("a push that is not suspended has encoded its row, even on a busy line
   }
 }
 
-TEST_CASE("a header is repeated after 64 packets, but not behind the trailer") {
+TEST_CASE("the header is repeated after 64 packets, but not after the trailer") {
   for (uint32_t packets = 62; packets < 67; ++packets) {
     CAPTURE(packets);
     const BitVolume volume({3, packets, 1});
@@ -325,7 +325,7 @@ TEST_CASE("a run longer than its row is refused") {
     }
 }
 
-TEST_CASE("after a change of output the next slice is a key slice, and only that one") {
+TEST_CASE("after a change of output only the next slice becomes a key slice") {
   const BitVolume volume = ball(12);
   Device device({12, 12});
   push_rows(device.encoder, volume.on.data(), 144 * 3 + 30, 1000);
@@ -342,7 +342,7 @@ TEST_CASE("after a change of output the next slice is a key slice, and only that
   CHECK(keys == Bytes{0, 4});
 }
 
-TEST_CASE("the encoder refuses invalid calls with a status") {
+TEST_CASE("a slice encoder refuses invalid calls with a status") {
   Line line;
   SliceEncoder encoder;
   uint8_t samples[8] = {};
@@ -379,7 +379,7 @@ TEST_CASE("the encoder refuses invalid calls with a status") {
   CHECK(encoder.finish() == Status::slice_in_progress);
 }
 
-TEST_CASE("the decoder refuses invalid calls with a status") {
+TEST_CASE("a slice decoder refuses invalid calls with a status") {
   const BitVolume volume = ball(9);
   const Bytes stream = encode_slices(volume);
   SliceDecoder decoder;
@@ -392,7 +392,7 @@ TEST_CASE("the decoder refuses invalid calls with a status") {
   CHECK(decode_slices(with_version(99, stream), {9, 9, 9}).status == Status::wrong_version);
 }
 
-TEST_CASE("with only key slices the encoder needs four rows of bits") {
+TEST_CASE("an encoder of only key slices needs memory for four rows of bits") {
   constexpr size_t rest = 548 + 3 + 2 * red_zone_bytes;
   CHECK(SliceEncoder::minimum_bytes({{256, 256}, {}, 1}) == 5 * 9 * 4 + rest);
   CHECK(SliceEncoder::minimum_bytes({{256, 256}, {}, 2}) == 259 * 9 * 4 + rest);
@@ -401,7 +401,7 @@ TEST_CASE("with only key slices the encoder needs four rows of bits") {
   CHECK(SliceDecoder::minimum_bytes({256, 256}) == 259 * 9 * 4 + rest + 32 + red_zone_bytes);
 }
 
-TEST_CASE("streams of slices are as short as documented") {
+TEST_CASE("streams of slices are as short as the documents state") {
   const auto bytes = [](const BitVolume& volume, uint32_t interval) {
     return encode_slices(volume, {{interval}}).size();
   };
@@ -461,7 +461,7 @@ Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, uint32_t
 
 }  // namespace
 
-TEST_CASE("several surfaces are decoded from one stream, each as if alone") {
+TEST_CASE("each of several surfaces in one stream is decoded as from a stream of its own") {
   const reference::Size size{41, 17, 6};
   const Bytes samples = onion(size);
   for (const std::vector<int32_t>& thresholds :
@@ -486,7 +486,7 @@ TEST_CASE("several surfaces are decoded from one stream, each as if alone") {
       }
 }
 
-TEST_CASE("rows of bits contain all surfaces in sequence, each in whole bytes") {
+TEST_CASE("a pushed row of bits contains the rows of all surfaces, each in whole bytes") {
   const auto decoded = [](uint32_t width, const Bytes& bits) {
     const auto surfaces = static_cast<uint32_t>(bits.size() / ((width + 7) / 8));
     Line line;
@@ -505,7 +505,8 @@ TEST_CASE("rows of bits contain all surfaces in sequence, each in whole bytes") 
   CHECK(decoded(8, {0xFF, 0x18}) == std::vector<Bytes>{Bytes(8, 1), {0, 0, 0, 1, 1, 0, 0, 0}});
 }
 
-TEST_CASE("surfaces with close thresholds need fewer bytes together than alone") {
+TEST_CASE(
+    "surfaces with close thresholds need fewer bytes in one stream than in separate streams") {
   const reference::Size size{64, 64, 20};
   const Bytes samples = onion(size);
   const auto bytes = [&](const std::vector<int32_t>& thresholds) {
@@ -515,7 +516,7 @@ TEST_CASE("surfaces with close thresholds need fewer bytes together than alone")
   CHECK(bytes({60, 160}) * 100 < (bytes({60}) + bytes({160})) * 102);
 }
 
-TEST_CASE("a stream contains one to four surfaces, on channels up to 63") {
+TEST_CASE("a stream accepts one to four surfaces, on channels up to 63") {
   Line line;
   Bytes memory(100000);
   const Memory all{memory.data(), memory.size()};
@@ -622,7 +623,7 @@ TEST_CASE("codes are cut at any pending carry, between rows or within a row of a
   CHECK(between > 0);
 }
 
-TEST_CASE("a surface decoder selects the surface of its channel from several") {
+TEST_CASE("a surface decoder selects the surface of its channel from several surfaces") {
   const reference::Size size{30, 20, 10};
   const Bytes samples = onion(size);
   const std::vector<int32_t> thresholds{90, 110, 170};
@@ -648,7 +649,7 @@ TEST_CASE("a surface decoder selects the surface of its channel from several") {
   }
 }
 
-TEST_CASE("a scan that ends on a busy line is complete after resume()") {
+TEST_CASE("a scan that ends on a busy line is completed by resume()") {
   Line line(1);
   const StreamHeader header = header_of_surfaces({9, 2, 1}, {1});
   StartedSliceEncoder encoder(header, line.output());
@@ -675,8 +676,7 @@ TEST_CASE("a finished scan refuses records, even while the line is busy") {
   CHECK(received.rows.size() == 1);
 }
 
-TEST_CASE(
-    "a scan can end while its last row waits for the line, but not while an earlier one does") {
+TEST_CASE("a scan can end while only its last row waits for the line") {
   const uint8_t row[9] = {1, 0, 1};
   for (const uint32_t height : {1U, 2U})
     for (const bool skips : {false, true}) {
@@ -703,7 +703,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a restarted scan is independent of the previous one, wherever that stopped") {
+TEST_CASE("a restarted scan is independent of the previous scan, stopped at any point") {
   const reference::Size size{41, 17, 6};
   Bytes samples;
   Chance chance(8);
@@ -737,7 +737,7 @@ TEST_CASE("a restarted scan is independent of the previous one, wherever that st
   }
 }
 
-TEST_CASE("a skipped row waits for the line before its encoding begins") {
+TEST_CASE("a skipped row is encoded only after the line accepts earlier bytes") {
   constexpr uint32_t height = 8000;
   const BitVolume volume = reference::random({1, height, 1}, 128, 14);
   const StreamHeader header = header_of(volume);

@@ -40,7 +40,7 @@ Events decoded(SurfaceDecoder& decoder, const Memory& memory, const Bytes& strea
 
 }  // namespace
 
-TEST_CASE("a surface decoder that is started again forgets everything") {
+TEST_CASE("a restarted surface decoder is independent of the previous stream") {
   Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   const Memory all{memory.data(), memory.size()};
   const Bytes streams[] = {slices_with_a_loss(), regions()};
@@ -68,7 +68,7 @@ TEST_CASE("a surface decoder that is started again forgets everything") {
     }
 }
 
-TEST_CASE("a surface decoder that was refused memory can be restarted without memory") {
+TEST_CASE("a surface decoder that refused its memory can be restarted without memory") {
   const Bytes slices = encode_slices(volume());
   SurfaceDecoder decoder;
   EventLog log;
@@ -78,7 +78,7 @@ TEST_CASE("a surface decoder that was refused memory can be restarted without me
   CHECK(decoded(decoder, {}, regions()) == decode(regions()).events);
 }
 
-TEST_CASE("set_memory() succeeds only for a started surface decoder short of memory") {
+TEST_CASE("set_memory() succeeds only for a started surface decoder without enough memory") {
   const Bytes stream = encode_slices(volume());
   Bytes memory(Receiver::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
@@ -111,7 +111,7 @@ TEST_CASE("an unknown version is refused at the end of the header's frame") {
   CHECK(decoder.push(stream.data(), 1).bytes == 0);
 }
 
-TEST_CASE("the surface is closed at the end of the scan, whatever the trailer contains") {
+TEST_CASE("the surface is closed at the end of the scan, for any trailer") {
   SlicePlan plan;
   plan.flush_every = 4;
   const std::vector<Bytes> whole = frames_of(encode_slices(volume(), plan));
@@ -196,7 +196,7 @@ Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
 
 }  // namespace
 
-TEST_CASE("skipped and lost rows are skipped in any surface, even if the sink is busy") {
+TEST_CASE("skipped and lost rows are skipped in every surface, even if the sink is busy") {
   for (const Scan& scan : {Scan{1, 1}, Scan{11, 1}, Scan{11, 2}}) {
     std::vector<Bytes> frames = frames_with_skips(scan);
     frames.erase(frames.begin() + 3);
@@ -217,7 +217,7 @@ TEST_CASE("skipped and lost rows are skipped in any surface, even if the sink is
   }
 }
 
-TEST_CASE("a surface decoder returns the number of bytes it consumed and reads no others") {
+TEST_CASE("a surface decoder returns the number of bytes consumed and reads no further bytes") {
   const Bytes slices = encode_slices(volume());
   Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   for (const Bytes& stream : {slices, regions()})
@@ -237,7 +237,7 @@ TEST_CASE("a surface decoder returns the number of bytes it consumed and reads n
     }
 }
 
-TEST_CASE("the last events arrive before the end of the stream, even if the sink is busy") {
+TEST_CASE("the last events arrive before the end of the stream, even if the sink was busy") {
   const Bytes stream = encode_slices(volume());
   Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   EventLog log(reference::refuses_first);

@@ -61,7 +61,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a zero at any position of a full frame is decoded unchanged") {
+TEST_CASE("a zero at any position of a full frame is encoded and decoded unchanged") {
   for (size_t place = 0; place < detail::cobs::max_plain; ++place) {
     CAPTURE(place);
     Bytes plain(detail::cobs::max_plain, 7);
@@ -70,13 +70,13 @@ TEST_CASE("a zero at any position of a full frame is decoded unchanged") {
   }
 }
 
-TEST_CASE("a full frame without zeros has one byte more, and no byte 255 inside") {
+TEST_CASE("a full frame without zeros is encoded in one more byte, and begins with 255") {
   const Bytes frame = stuffed(Bytes(detail::cobs::max_plain, 7));
   CHECK(frame.size() == 256);
   CHECK(frame[0] == 255);
 }
 
-TEST_CASE("invalid frames decode to nothing") {
+TEST_CASE("invalid frames decode to zero bytes") {
   const auto count_of = [](Bytes bytes) {
     return detail::cobs::unstuff(bytes.data(), bytes.size());
   };
@@ -88,7 +88,7 @@ TEST_CASE("invalid frames decode to nothing") {
   CHECK(count_of({3, 5, 6}) == 2);
 }
 
-TEST_CASE("any bytes are unstuffed within their block") {
+TEST_CASE("unstuff() of any bytes yields fewer bytes than the frame has") {
   Chance chance(2);
   int frames = 0;
   for (int round = 0; round < 60000; ++round) {
@@ -103,7 +103,7 @@ TEST_CASE("any bytes are unstuffed within their block") {
   CHECK(frames > 0);
 }
 
-TEST_CASE("bytes that can be decoded are the encoding of the result") {
+TEST_CASE("a frame that can be decoded equals the encoding of its result") {
   Chance chance(3);
   for (int round = 0; round < 20000; ++round) {
     Bytes frame(2 + chance.below(40));

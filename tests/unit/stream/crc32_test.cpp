@@ -37,26 +37,26 @@ std::vector<uint8_t> pattern(size_t count) {
 
 }  // namespace
 
-TEST_CASE("the checksum has the published check values") {
+TEST_CASE("the CRC-32 has the published check values") {
   CHECK(check_of(bytes_of("123456789")) == 0xCBF43926);
   CHECK(check_of(bytes_of("")) == 0);
   CHECK(check_of(bytes_of("a")) == 0xE8B7BE43);
   CHECK(check_of(bytes_of("The quick brown fox jumps over the lazy dog")) == 0x414FA339);
 }
 
-TEST_CASE("the checksum of any length equals its bitwise definition") {
+TEST_CASE("the CRC-32 of any length equals its bitwise definition") {
   for (size_t count = 0; count <= 300; ++count) {
     CAPTURE(count);
     CHECK(check_of(pattern(count)) == by_definition(pattern(count)));
   }
 }
 
-TEST_CASE("the checksum is computed at compile time") {
+TEST_CASE("the CRC-32 can be computed at compile time") {
   constexpr uint8_t nine[9] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
   static_assert(crc32(nine, 9) == 0xCBF43926, "the check value of CRC-32");
 }
 
-TEST_CASE("the table-driven checksum, four bits at a time, equals the bitwise one") {
+TEST_CASE("the table-driven CRC-32, four bits at a time, equals the bitwise CRC-32") {
   discmc::detail::derive::Crc32Table<4> table{};
   table = discmc::detail::derive::crc32_table<4>();  // at run time, not by the compiler
   for (size_t count = 0; count < 300; ++count) {
@@ -69,7 +69,7 @@ TEST_CASE("the table-driven checksum, four bits at a time, equals the bitwise on
   }
 }
 
-TEST_CASE("the checksum detects every one-bit and two-bit error of a full packet") {
+TEST_CASE("the CRC-32 detects every one-bit and two-bit error of a full packet") {
   std::vector<uint8_t> packet = pattern(250);
   const uint32_t whole = check_of(packet);
   const auto flip = [&](size_t bit) {

@@ -205,7 +205,7 @@ void check_unreadable(Code code) {
 
 }  // namespace
 
-TEST_CASE("a decoder needs a sink and a start") {
+TEST_CASE("a decoder without a sink or without a start refuses calls") {
   Decoder decoder;
   const uint8_t byte = 1;
   const Decoded decoded = decoder.push(&byte, 1);
@@ -216,7 +216,7 @@ TEST_CASE("a decoder needs a sink and a start") {
   CHECK(decoder.push(&byte, 1).status == Status::not_started);
 }
 
-TEST_CASE("a decoder that is started again forgets everything") {
+TEST_CASE("a restarted decoder is independent of the previous stream") {
   const Sample sample = samples()[2];
   const Bytes stream = encode(sample.events, sample.header);
   Decoder decoder;
@@ -260,7 +260,7 @@ TEST_CASE("a restarted decoder forgets refusals and pending events") {
   CHECK(decoder.report().is_complete());
 }
 
-TEST_CASE("a restarted decoder neither continues a region nor reports it as lost") {
+TEST_CASE("a restarted decoder neither continues an open region nor reports its loss") {
   struct Taker {
     SinkResult accept(const Event& event) {
       if (log.events.size() == most) return SinkResult::busy;
@@ -285,7 +285,7 @@ TEST_CASE("a restarted decoder neither continues a region nor reports it as lost
   }
 }
 
-TEST_CASE("a decoder delivers the start of every stream first, once the sink accepts it") {
+TEST_CASE("a decoder delivers the start event of every stream first, even after refusals") {
   const Bytes stream = stream_of({payload_of([](auto& model) { code_layer(model, 4); })});
   struct Late {
     SinkResult accept(const Event& event) {
@@ -313,7 +313,7 @@ TEST_CASE("a decoder delivers the start of every stream first, once the sink acc
   }
 }
 
-TEST_CASE("a start that arrives in the middle of a region is delivered after the region") {
+TEST_CASE("a start event that arrives in the middle of a region is delivered after the region") {
   struct Listener {
     SinkResult accept(const Event& event) {
       if (event.kind == Event::Kind::start) events_before_start = log.events.size();
@@ -332,7 +332,8 @@ TEST_CASE("a start that arrives in the middle of a region is delivered after the
   CHECK(listener.events_before_start == listener.log.events.size());
 }
 
-TEST_CASE("a restarted decoder accepts a stream of any channel and scan and counts anew") {
+TEST_CASE(
+    "a restarted decoder accepts a stream of any channel and scan, and its counts begin at zero") {
   StreamHeader header = any_header();
   header.scan = 7;
   header.channel = 2;
@@ -395,7 +396,7 @@ TEST_CASE("a wrong digest in the trailer marks the stream as mixed, if no packet
   }
 }
 
-TEST_CASE("an application record contains the slice and row of its writing") {
+TEST_CASE("an application record contains the slice and row at which it was written") {
   Line line;
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
@@ -411,7 +412,8 @@ TEST_CASE("an application record contains the slice and row of its writing") {
   CHECK(event.application->bytes[1] == 0xFE);
 }
 
-TEST_CASE("piece counts and packet numbers wrap, and half of their range counts as repeated") {
+TEST_CASE(
+    "piece counts and packet numbers wrap, and numbers half their range ahead count as repeated") {
   const auto is_taken = [](uint8_t number, uint16_t pieces) {
     Bytes stream = stream_of({});
     const Bytes frame = frame_of({records_kind, number, pieces, payload_of([](auto&) {})});
@@ -428,14 +430,14 @@ TEST_CASE("piece counts and packet numbers wrap, and half of their range counts 
   CHECK(is_taken(1 + 128, 1));
 }
 
-TEST_CASE("a lost region is counted when the next packet arrives, not by the trailer alone") {
+TEST_CASE("lost regions are counted when the next packet arrives, before the trailer") {
   const Bytes heard =
       joined({stream_of({}), frame_of({records_kind, 2, 3, payload_of([](auto&) {})})});
   CHECK(decode(heard).report.lost_packets == 1);
   CHECK(decode(heard).report.lost_pieces == 3);
 }
 
-TEST_CASE("a trailer that counts fewer regions than arrived reports none lost") {
+TEST_CASE("a trailer that counts fewer regions than arrived reports no lost regions") {
   const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   std::vector<Bytes> frames = frames_of(encode(square));
   REQUIRE(frames.size() == 3);
@@ -451,7 +453,7 @@ TEST_CASE("a trailer that counts fewer regions than arrived reports none lost") 
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a stream with only a header is neither complete nor abandoned") {
+TEST_CASE("a stream of only a header is neither complete nor abandoned") {
   const StreamReport report = decode(stream_of({})).report;
   CHECK(report.has_header);
   CHECK(report.slices == 0);
@@ -460,7 +462,7 @@ TEST_CASE("a stream with only a header is neither complete nor abandoned") {
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a region may fill a record with parallelograms to the last word") {
+TEST_CASE("a region of parallelograms may fill a record to the last word") {
   constexpr uint32_t rings = Record::max_words / (Record::ring_words + 4);
   static_assert(rings * (Record::ring_words + 4) == Record::max_words, "to the last word");
   Script script;
@@ -483,7 +485,7 @@ TEST_CASE("a late header of another stream does not replace the first header") {
   CHECK(arrival.report.repeated_packets == 1);
 }
 
-TEST_CASE("a later header reports all packets and regions lost before it") {
+TEST_CASE("a later header reports all packets and regions lost before that header") {
   struct Before {
     uint32_t packets, regions;
   };
@@ -499,8 +501,7 @@ TEST_CASE("a later header reports all packets and regions lost before it") {
 }
 
 TEST_CASE(
-    "a header that reports more lost packets ends the open region, unless a gap preceded the "
-    "region") {
+    "a header that reports lost packets ends the open region, unless a gap preceded the region") {
   // The number of a packet wraps at 256: a loss of 256 packets is invisible, a loss of 257 is not.
   for (const bool gap_is_seen : {false, true}) {
     const uint32_t number = gap_is_seen ? 258 : 257;
@@ -517,7 +518,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a region continues after a header, whatever was lost before the region began") {
+TEST_CASE("a region continues after a header if packets were lost only before the region") {
   Decoder decoder;
   for (const uint32_t missed : {0U, 1U, 255U, 256U, 512U}) {
     CAPTURE(missed);
@@ -549,7 +550,8 @@ TEST_CASE("a header that reports a gap ends the open region, even after an earli
   }
 }
 
-TEST_CASE("a header counts as lost only regions that neither arrived nor were counted before") {
+TEST_CASE(
+    "a header counts as lost only regions that neither arrived nor were already counted as lost") {
   const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   const std::vector<Bytes> frames = frames_of(encode(square));
   for (const uint64_t before : {0U, 1U, 2U, 7U}) {
@@ -568,7 +570,7 @@ TEST_CASE("without a header, a repeated packet is still counted as repeated") {
   CHECK(arrival.report.repeated_packets == 1);
 }
 
-TEST_CASE("packets of minimal and maximal length are accepted, and longer ones are damaged") {
+TEST_CASE("packets of minimal and maximal length are accepted, and longer packets are damaged") {
   const uint8_t unknown_kind = 9;
   for (const size_t bytes : {size_t{0}, detail::wire::max_payload - 1, detail::wire::max_payload}) {
     const StreamReport report = decode(frame_of({unknown_kind, 0, 0, Bytes(bytes, 0x33)})).report;
@@ -590,7 +592,7 @@ TEST_CASE("a region does not continue after an unreadable packet") {
         first_part().lost().events);
 }
 
-TEST_CASE("the longest run is read, in parts and in a fragment") {
+TEST_CASE("a run of maximal length is decoded in parts and in a fragment") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
     code_part(model, {false, true, true}, {{0, Run::max_length}, {2, Run::max_length}});
     code_fragment(model, 0, {{2, Run::max_length}});
@@ -608,7 +610,7 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
   CHECK(arrival.events == expected);
 }
 
-TEST_CASE("a fragment coded backwards is decoded with its start and its runs in order") {
+TEST_CASE("a fragment coded backwards is decoded with its start first and its runs in order") {
   CHECK(decode(stream_of({payload_of([](auto& model) {
           code_fragment(model, 2, {{4, 10}, {6, 20}});
         })}))
@@ -624,7 +626,7 @@ TEST_CASE("a fragment coded backwards is decoded with its start and its runs in 
             .events == Script().fragment(up, start, 2).run(4, 10).run(6, 20).fragment_end().events);
 }
 
-TEST_CASE("a fragment may fill a record to the last word, and one run more is refused") {
+TEST_CASE("a fragment may fill a record to the last word, and a further run is refused") {
   constexpr uint32_t most = Record::max_words - Record::ring_words;
   for (const bool is_backwards : {false, true})
     for (const uint32_t count : {most, most + 1, most + 5}) {
@@ -642,7 +644,7 @@ TEST_CASE("a fragment may fill a record to the last word, and one run more is re
     }
 }
 
-TEST_CASE("a part without its beginning counts as lost, of a fragment as of a region") {
+TEST_CASE("a part without its beginning counts as a lost region or a lost fragment") {
   for (const bool is_fragment : {false, true}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       code_part(model, {true, true, false, is_fragment}, {{0, 2}});
@@ -662,7 +664,7 @@ TEST_CASE("a part without its beginning counts as lost after a fragment with oth
   CHECK(arrival.report.damaged_packets == 0);
 }
 
-TEST_CASE("a truncated stream delivers its whole pieces, and the report lacks the end") {
+TEST_CASE("a truncated stream delivers its whole pieces, and the report has no trailer") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
@@ -693,7 +695,7 @@ TEST_CASE("a truncated stream delivers its whole pieces, and the report lacks th
   }
 }
 
-TEST_CASE("a too long frame at the end does not damage the next stream") {
+TEST_CASE("an overlong frame at the end leaves the next stream undamaged") {
   const Bytes noise(1000, 7);
   const Bytes stream = encode(Script().finish().events, any_header());
   EventLog log;
@@ -725,7 +727,7 @@ TEST_CASE("noise before, between and after frames is ignored") {
   CHECK(arrival.report.damaged_packets == damaged);
 }
 
-TEST_CASE("an unknown version is reported, and no event is delivered") {
+TEST_CASE("an unknown version is reported, and no events are delivered") {
   const Sample sample = samples()[2];
   for (const uint8_t version : Bytes{0, 2, 3, 255}) {
     std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
@@ -741,7 +743,7 @@ TEST_CASE("an unknown version is reported, and no event is delivered") {
   }
 }
 
-TEST_CASE("headers with invalid values are refused") {
+TEST_CASE("a header with invalid values is refused") {
   const Bytes frame = frames_of(encode(Script().finish().events)).front();
   const auto without_header = [&](size_t at, uint8_t value, size_t size) {
     Packet packet = packet_of(frame);
@@ -772,7 +774,8 @@ TEST_CASE("extra bytes at the end of a header are ignored") {
   CHECK(report.lost_pieces == 0);
 }
 
-TEST_CASE("a short trailer is refused, and a trailer that counts more regions reports them lost") {
+TEST_CASE(
+    "a short trailer is refused, and a trailer that counts more regions reports lost regions") {
   const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   const std::vector<Bytes> frames = frames_of(encode(square));
   Packet trailer = packet_of(frames[2]);
@@ -791,7 +794,7 @@ TEST_CASE("a short trailer is refused, and a trailer that counts more regions re
   CHECK(report.damaged_packets == 1);
 }
 
-TEST_CASE("packets of unknown kinds are skipped without loss") {
+TEST_CASE("packets of unknown kinds are skipped without a reported loss") {
   const Sample sample = samples()[4];
   std::vector<Bytes> frames;
   uint8_t number = 0;
@@ -857,7 +860,7 @@ TEST_CASE("a layer mark between parts ends the open region") {
   CHECK(decode(stream_of({payload})).events == first_part().lost().layer(9).events);
 }
 
-TEST_CASE("records that break the grammar are refused") {
+TEST_CASE("records that violate the grammar are refused") {
   check_unreadable([](auto& model) {  // runs without a ring before them
     code_part(model, {false, true, false}, {{0, 2}});
   });
@@ -971,8 +974,7 @@ TEST_CASE("records that break the grammar are refused") {
   });
 }
 
-TEST_CASE(
-    "a stream with a packet that cannot be read is not complete, even if no region is missing") {
+TEST_CASE("a stream with an unreadable packet is incomplete, even if no region is missing") {
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   Packet packet = packet_of(frames[1]);
   packet.payload = payload_of([](auto& model) { code_unreadable(model); });
@@ -980,7 +982,7 @@ TEST_CASE(
   CHECK_FALSE(decode(joined(frames)).report.is_complete());
 }
 
-TEST_CASE("a part that continues nothing ends the open region, and both count as lost") {
+TEST_CASE("a part that continues no piece ends the open region, and two regions count as lost") {
   const auto code_stray = [](auto& model) {
     code_part(model, {true, true, false, false, incidence_of({1, 0, 0})}, {{0, 2}});
   };
@@ -995,7 +997,7 @@ TEST_CASE("a part that continues nothing ends the open region, and both count as
   CHECK(arrival.report.damaged_packets == 0);
 }
 
-TEST_CASE("a stream with a lost region is incomplete even if the total matches") {
+TEST_CASE("a stream with a lost region is incomplete, even if the total of regions matches") {
   Events one = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   std::vector<Bytes> frames = frames_of(encode(one));
   Packet packet = packet_of(frames[1]);
@@ -1012,7 +1014,7 @@ TEST_CASE("a stream with a lost region is incomplete even if the total matches")
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a part of another incidence or kind does not continue the open piece") {
+TEST_CASE("a part with another incidence or kind does not continue the open piece") {
   for (const bool is_fragment : {false, true})
     for (const Incidence incidence : {up, Incidence{0}}) {
       if (!is_fragment && incidence == up) continue;
@@ -1024,7 +1026,7 @@ TEST_CASE("a part of another incidence or kind does not continue the open piece"
     }
 }
 
-TEST_CASE("a ring of two opposite runs is decoded up to the longest compact run") {
+TEST_CASE("a ring of two opposite runs is decoded up to the maximal compact length") {
   for (const uint32_t length : {1U, detail::stream::max_compact_length}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_ring(model);
@@ -1035,7 +1037,7 @@ TEST_CASE("a ring of two opposite runs is decoded up to the longest compact run"
   }
 }
 
-TEST_CASE("a ring as long as a record is delivered, and a longer ring is refused") {
+TEST_CASE("a ring that fills a record is delivered, and a longer ring is refused") {
   constexpr uint32_t longest = Record::max_words - Record::ring_words;
   for (const uint32_t count : {longest, longest + 1, longest + 2, longest + 4}) {
     CodedRuns runs;
@@ -1076,7 +1078,7 @@ TEST_CASE("a ring of four corners is coded by turns and two lengths, a triangle 
   CHECK(arrival.events == expected);
 }
 
-TEST_CASE("a fragment in parts continues only with parts of its own incidence") {
+TEST_CASE("a fragment in parts is continued only by parts of the same incidence") {
   for (const bool is_same : {true, false}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       code_part(model, {false, false, true, true, up, 5}, {{0, 2}});
@@ -1103,7 +1105,7 @@ TEST_CASE("a second ring in a fragment is refused, even in a continued part") {
   CHECK(arrival.report.damaged_packets == 1);
 }
 
-TEST_CASE("a stream is incomplete if its trailer counts another number of fragments") {
+TEST_CASE("a stream is incomplete if the number of fragments in the trailer differs") {
   const Events one = Script().fragment(up, {1, 0, 0}, 2).run(2, 2).fragment_end().finish().events;
   std::vector<Bytes> frames = frames_of(encode(one));
   REQUIRE(decode(joined(frames)).report.is_complete());
@@ -1117,7 +1119,7 @@ TEST_CASE("a stream is incomplete if its trailer counts another number of fragme
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a header that arrives after its packets still counts as the first") {
+TEST_CASE("a header that arrives after records still counts as the first header") {
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   std::swap(frames[0], frames[1]);
   const Received arrival = decode(joined(frames));
@@ -1126,7 +1128,7 @@ TEST_CASE("a header that arrives after its packets still counts as the first") {
   CHECK(arrival.header.width == any_header().width);
 }
 
-TEST_CASE("a sink may refuse the last events of a stream repeatedly") {
+TEST_CASE("a decoder repeats the last events of a stream until the sink accepts") {
   const Bytes stream = stream_of({first_payload()});
   for (const uint32_t refusals : {0U, 1U, 3U}) {
     struct Sullen {
@@ -1153,7 +1155,7 @@ TEST_CASE("a sink may refuse the last events of a stream repeatedly") {
   }
 }
 
-TEST_CASE("a payload that ends within a record is refused") {
+TEST_CASE("a payload that ends within a record is refused as damaged") {
   const Bytes whole = payload_of([](auto& model) {
     for (uint32_t slice = 0; slice < 100; ++slice) code_layer(model, slice * 3);
   });
@@ -1165,7 +1167,7 @@ TEST_CASE("a payload that ends within a record is refused") {
   }
 }
 
-TEST_CASE("a part may fill a record to the last word, and a longer part is refused") {
+TEST_CASE("a part may fill a record to the last word, and a longer part is refused as damaged") {
   constexpr uint32_t most = Record::max_words - Record::ring_words;
   const auto code_part_of = [](auto& model, uint32_t count) {
     CodedRuns runs;
@@ -1179,7 +1181,7 @@ TEST_CASE("a part may fill a record to the last word, and a longer part is refus
   check_unreadable([&](auto& model) { code_part_of(model, most + 1); });
 }
 
-TEST_CASE("a frame that is cut off at the end counts as damaged, once") {
+TEST_CASE("a truncated frame at the end counts as damaged once") {
   EventLog log;
   Decoder decoder;
   const Bytes frame = frames_of(encode(Script().finish().events)).front();
@@ -1208,7 +1210,7 @@ TEST_CASE("packets after the trailer are not delivered") {
   CHECK(arrival.report.repeated_packets == frames_of(second).size());
 }
 
-TEST_CASE("is_complete() requires both ends and no lost or unreadable packet") {
+TEST_CASE("is_complete() requires a header, a trailer, and no lost or unreadable packet") {
   StreamReport whole{};
   whole.has_header = whole.has_trailer = true;
   whole.regions = whole.totals.regions = 7;

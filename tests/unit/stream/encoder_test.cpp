@@ -26,7 +26,7 @@ Events many_regions(uint32_t count, uint32_t runs = 60) {
 
 }  // namespace
 
-TEST_CASE("a stream with an invalid header or output is refused") {
+TEST_CASE("an encoder refuses to start with an invalid header or output") {
   Line line;
   Encoder encoder;
   StreamHeader header = any_header();
@@ -94,7 +94,7 @@ TEST_CASE(
   CHECK(encoder.write_record({}) == Status::ok);
 }
 
-TEST_CASE("packets are numbered, limited in size, and count the pieces before them") {
+TEST_CASE("packets are numbered, limited in size, and contain the number of previous pieces") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
@@ -113,7 +113,7 @@ TEST_CASE("packets are numbered, limited in size, and count the pieces before th
   }
 }
 
-TEST_CASE("packets are nearly full") {
+TEST_CASE("packets of a long stream are nearly full") {
   const std::vector<Packet> packets = packets_of(encode(many_regions(300, 12)));
   size_t bytes = 0, records = 0;
   for (const Packet& packet : packets)
@@ -124,7 +124,7 @@ TEST_CASE("packets are nearly full") {
   CHECK(bytes > (records - 1) * (detail::wire::max_payload - 60));
 }
 
-TEST_CASE("the header is repeated after every 64 packets of records with the current counts") {
+TEST_CASE("the header is repeated after every 64 packets of records with updated counts") {
   const std::vector<Packet> packets = packets_of(encode(many_regions(900)));
   REQUIRE(packets.size() > 200);
   for (size_t i = 0; i + 1 < packets.size(); ++i) {
@@ -139,7 +139,7 @@ TEST_CASE("the header is repeated after every 64 packets of records with the cur
   }
 }
 
-TEST_CASE("flush() sends the pending records once") {
+TEST_CASE("flush() sends pending records once") {
   const Events events = many_regions(40);
   Line line;
   Encoder encoder;
@@ -166,7 +166,7 @@ TEST_CASE("flush() before start() has no effect") {
   CHECK(encoder.flush() == Status::ok);
 }
 
-TEST_CASE("a flush on a slow line continues where it stopped") {
+TEST_CASE("a flush on a slow line continues at the byte that the line refused") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     Bytes fast;
@@ -187,7 +187,7 @@ TEST_CASE("a flush on a slow line continues where it stopped") {
   }
 }
 
-TEST_CASE("the trailer is written once even if the finish event is repeated") {
+TEST_CASE("the trailer is written once, even if the finish event is repeated") {
   for (const size_t bytes_at_once : {0U, 1U}) {
     Line line(bytes_at_once);
     Encoder encoder;
@@ -200,7 +200,7 @@ TEST_CASE("the trailer is written once even if the finish event is repeated") {
   }
 }
 
-TEST_CASE("the trailer has an abandoned flag of 1 or 0") {
+TEST_CASE("the trailer's abandoned flag is 1 after an abandoned scan and otherwise 0") {
   for (const bool abandoned : {false, true}) {
     const RecordedEvent finish = Script().finish().events.front();
     Event event = finish.event();
@@ -210,7 +210,7 @@ TEST_CASE("the trailer has an abandoned flag of 1 or 0") {
   }
 }
 
-TEST_CASE("an encoder that is started again begins a new stream") {
+TEST_CASE("a restarted encoder begins a new stream") {
   const Events events = many_regions(100);
   for (size_t event_count = 0; event_count <= events.size(); event_count += 1 + event_count / 3) {
     Line line(event_count % 2);
@@ -226,7 +226,7 @@ TEST_CASE("an encoder that is started again begins a new stream") {
   }
 }
 
-TEST_CASE("a further scan begins once the line has accepted all of the previous scan") {
+TEST_CASE("a further scan begins after the line has accepted all of the previous scan") {
   const Events events = Script().layer(0).finish().events;
   Line line(1);
   Encoder encoder;
@@ -241,7 +241,7 @@ TEST_CASE("a further scan begins once the line has accepted all of the previous 
   CHECK(joined({encode({}), encode(events, header)}) == line.bytes);
 }
 
-TEST_CASE("the label's spacing is sent if the scan has none along any axis") {
+TEST_CASE("the spacing of the label is sent if the scan has no spacing") {
   const auto sent_spacing = [](const StreamHeader& scan) {
     Line line;
     Encoder encoder;
@@ -260,7 +260,7 @@ TEST_CASE("the label's spacing is sent if the scan has none along any axis") {
   }
 }
 
-TEST_CASE("an encoder restarted amid a region in parts encodes the next region whole") {
+TEST_CASE("an encoder restarted amid a region in parts encodes the next region completely") {
   LimitedLine narrow{frames_of(encode({})).front().size()};  // for the header
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), narrow.output()) == Status::ok);
@@ -275,7 +275,7 @@ TEST_CASE("an encoder restarted amid a region in parts encodes the next region w
   CHECK(line.bytes == encode(events));
 }
 
-TEST_CASE("records of every length end packets at every fill without exceeding them") {
+TEST_CASE("records of every length fit in packets at every fill level") {
   for (uint32_t lead = 0; lead < 90; ++lead)
     for (const bool is_fragment : {false, true}) {
       Script script;
@@ -292,7 +292,8 @@ TEST_CASE("records of every length end packets at every fill without exceeding t
     }
 }
 
-TEST_CASE("a fragment near its end is coded backwards in as few bytes as one near its start") {
+TEST_CASE(
+    "a fragment near its end is coded backwards in as few bytes as a fragment near its start") {
   const auto bytes = [](bool is_end_near) {
     Script script;
     const Vertex near{1, 0, 0}, far{1, 0, 60000};
@@ -306,7 +307,8 @@ TEST_CASE("a fragment near its end is coded backwards in as few bytes as one nea
   CHECK(bytes(true) <= bytes(false) + 2);
 }
 
-TEST_CASE("rings that lead back, wind twice or begin within a side are decoded unchanged") {
+TEST_CASE(
+    "rings that retrace their links, wind twice or begin within a side are decoded unchanged") {
   Script script;
   script.region(up).ring({1, 0, 0}).run(0, 5).run(4, 5).region_end();
   script.region(up).ring({1, 0, 0}).run(0, 1).run(3, 3).run(6, 2).run(1, 1).region_end();
@@ -355,14 +357,14 @@ TEST_CASE("a region lost before its end is reported as lost") {
     }
 }
 
-TEST_CASE("an encoder that is not started refuses events") {
+TEST_CASE("an unstarted encoder refuses events") {
   Encoder encoder;
   const Events events = Script().layer(1).region(up).square({1, 0, 0}, 2).region_end().events;
   for (const RecordedEvent& event : events)
     CHECK(encoder.accept(event.event()) == SinkResult::not_started);
 }
 
-TEST_CASE("a ring may begin at any fill of a nearly full record") {
+TEST_CASE("a ring may begin at any fill level of a nearly full record") {
   constexpr uint32_t most = detail::stream::Record::max_words;
   for (uint32_t runs = most - 2 * detail::stream::Record::ring_words; runs <= most; ++runs) {
     Script script;
@@ -395,7 +397,7 @@ TEST_CASE("an event of an unknown kind does not end the open region") {
   CHECK(encoder.write_record({}) == Status::suspended);
 }
 
-TEST_CASE("an encoder encodes normals after restore() only if they are enabled again") {
+TEST_CASE("an encoder encodes normals after restore() only if normals are enabled again") {
   for (const bool with_normals : {true, false}) {
     Line whole, line;
     NormalEncoder first;

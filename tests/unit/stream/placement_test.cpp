@@ -49,7 +49,7 @@ struct PlacementReceiver {
 
 }  // namespace
 
-TEST_CASE("a placement is read back from its record") {
+TEST_CASE("a placement is read back unchanged from its record") {
   for (const Space space : {Space::scanner, Space::lps, Space::ras}) {
     const RecordBytes written(any_placement(space));
     Placement read;
@@ -58,7 +58,7 @@ TEST_CASE("a placement is read back from its record") {
   }
 }
 
-TEST_CASE("the bytes of a placement are as documented") {
+TEST_CASE("the bytes of a placement record are as documented") {
   Placement placement;
   placement.axes_nm[0][0] = -1;
   placement.axes_nm[0][1] = 0x01020304;
@@ -85,7 +85,7 @@ TEST_CASE("the bytes of a placement are as documented") {
   CHECK(bytes == expected);
 }
 
-TEST_CASE("a record of another kind, size or space is not read as a placement") {
+TEST_CASE("a record of another kind, size or space is rejected as a placement") {
   const RecordBytes written(any_placement(Space::lps));
   const Placement before = any_placement(Space::ras);
   Placement read = before;
@@ -105,7 +105,7 @@ TEST_CASE("a record of another kind, size or space is not read as a placement") 
   }
 }
 
-TEST_CASE("a placement is received from a stream") {
+TEST_CASE("a placement is received unchanged from a stream") {
   test::Line line;
   Encoder encoder;
   reference::require_ok(test::begin_stream(encoder, test::any_header(), line.output()));

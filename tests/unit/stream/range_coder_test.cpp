@@ -65,7 +65,7 @@ Decisions towards(const Bytes& target, size_t count, Probability one) {
 }  // namespace
 
 TEST_CASE(
-    "random bits under random probabilities are decoded unchanged, and the size is as predicted") {
+    "random bits with random probabilities are decoded unchanged from code of the predicted size") {
   Chance chance(1);
   for (int round = 0; round < 400; ++round) {
     CAPTURE(round);
@@ -73,7 +73,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("every probability codes long runs of either bit") {
+TEST_CASE("long runs of equal bits are decoded unchanged for every probability") {
   for (int one = 1; one <= 255; ++one)
     for (const bool bit : {false, true}) {
       CAPTURE(one);
@@ -81,7 +81,7 @@ TEST_CASE("every probability codes long runs of either bit") {
     }
 }
 
-TEST_CASE("the code is hardly longer than the information in the bits") {
+TEST_CASE("the code is at most slightly longer than the information in the bits") {
   Chance chance(2);
   const Decisions decisions = random_decisions(chance, 20000);
   double bits = 0;
@@ -92,12 +92,12 @@ TEST_CASE("the code is hardly longer than the information in the bits") {
   CHECK(static_cast<double>(encoded(decisions).size()) < bits / 8 * 1.0005 + 2);
 }
 
-TEST_CASE("an empty sequence has no bytes") {
+TEST_CASE("an empty sequence of bits is encoded in zero bytes") {
   CHECK(encoded({}).empty());
   CHECK(encoded({{true, 255}}).empty());
 }
 
-TEST_CASE("a carry propagates through any number of bytes 255 and may stop before them") {
+TEST_CASE("a carry propagates through any number of bytes 255, or stops before them") {
   int longest = 0;
   for (size_t run = 0; run < 40; ++run)
     for (size_t lead = 0; lead < 3; ++lead)
@@ -125,7 +125,7 @@ TEST_CASE("a carry propagates through any number of bytes 255 and may stop befor
   CHECK(longest > 30);
 }
 
-TEST_CASE("a carry that leaves a byte 255 does not propagate to later bytes") {
+TEST_CASE("a carry that turns a byte into 255 does not propagate into later bytes") {
   // Found by a search, because random bits hardly ever reach this case.
   Decisions decisions = {{false, 125}, {true, 44},   {true, 89},  {true, 42},
                          {true, 199},  {false, 124}, {false, 255}};
@@ -134,7 +134,7 @@ TEST_CASE("a carry that leaves a byte 255 does not propagate to later bytes") {
   check_round_trip(decisions);
 }
 
-TEST_CASE("bits are decoded unchanged if the range is minimal") {
+TEST_CASE("bits are decoded unchanged if the range of the coder is minimal") {
   constexpr uint32_t least = 1U << 24;
   Chance chance(7);
   Decisions decisions;
@@ -154,7 +154,7 @@ TEST_CASE("bits are decoded unchanged if the range is minimal") {
   check_round_trip(decisions);
 }
 
-TEST_CASE("symbols are decoded unchanged if their share leaves the minimal range") {
+TEST_CASE("symbols are decoded unchanged if their share leaves the minimal range of the coder") {
   // Found by a search: the fourth symbol leaves a range of exactly 2^24.
   const uint8_t share[] = {13, 109, 185, 64, 77, 200};
   const uint32_t symbol[] = {0, 0, 0, 0, 1, 1};
@@ -208,7 +208,7 @@ TEST_CASE("an exhausted buffer is reported, and no byte is written beyond it") {
   }
 }
 
-TEST_CASE("size() never shrinks by more than the closing byte from one bit to the next") {
+TEST_CASE("size() shrinks by at most one byte from one bit to the next") {
   Chance chance(5);
   Bytes bytes(1000);
   RangeEncoder encoder(bytes.data(), bytes.size());
@@ -221,7 +221,7 @@ TEST_CASE("size() never shrinks by more than the closing byte from one bit to th
   }
 }
 
-TEST_CASE("a decoder that reads on is exhausted after a bounded number of bits") {
+TEST_CASE("a decoder that reads past the end is exhausted after a bounded number of bits") {
   Chance chance(6);
   for (size_t count = 0; count < 40; ++count) {
     Bytes bytes(count);
@@ -237,7 +237,7 @@ TEST_CASE("a decoder that reads on is exhausted after a bounded number of bits")
   }
 }
 
-TEST_CASE("a decoder is exhausted by the fifth byte beyond the end, and not by the fourth") {
+TEST_CASE("a decoder is exhausted at the fifth byte beyond the end, but not at the fourth") {
   for (size_t count = 0; count < 5; ++count) {
     const Bytes bytes(count, 0x55);
     RangeDecoder decoder(bytes.data(), bytes.size());

@@ -89,7 +89,7 @@ struct Meter {
 
 }  // namespace
 
-TEST_CASE("contexts fill the table of frequencies, and every valid symbol has a frequency") {
+TEST_CASE("contexts fill the frequency table, and exactly the valid symbols have a frequency") {
   const uint8_t* const below = cumulative_frequencies;
   uint32_t at = 0;
   for (const reference::SymbolContexts& of : reference::symbol_contexts()) {
@@ -111,13 +111,13 @@ TEST_CASE("contexts fill the table of frequencies, and every valid symbol has a 
   CHECK(below[at] == 0);
 }
 
-TEST_CASE("the frequencies of symbols equal those of version 1") {
+TEST_CASE("the frequencies of symbols are unchanged since version 1") {
   CHECK(detail::wire::version == 1);
   CHECK(reference::broken(reference::model_table()) == nullptr);
 }
 
 // Golden files have few long steps, so this test detects changed symbols of large numbers.
-TEST_CASE("steps and lengths of every size are encoded as in version 1") {
+TEST_CASE("steps and lengths of every size are encoded in the bytes of version 1") {
   Bytes bytes(UINT16_MAX);
   WritingModel model({RangeEncoder(bytes.data(), bytes.size())});
   for_each_incidence([&](Incidence incidence) {
@@ -144,7 +144,7 @@ TEST_CASE("steps and lengths of every size are encoded as in version 1") {
   CHECK(crc32(bytes.data(), bytes.size()) == 0xDF237477);
 }
 
-TEST_CASE("small steps, and all pairs of directions, are encoded as in version 1") {
+TEST_CASE("small steps and all pairs of directions are encoded in the bytes of version 1") {
   Bytes bytes(UINT16_MAX);
   WritingModel model({RangeEncoder(bytes.data(), bytes.size())});
   for_each_incidence([&](Incidence incidence) {
@@ -172,7 +172,7 @@ TEST_CASE("small steps, and all pairs of directions, are encoded as in version 1
   CHECK(crc32(bytes.data(), bytes.size()) == 0x60131C2C);
 }
 
-TEST_CASE("numbers are decoded unchanged: 0, around every power of two, 2^32 - 2") {
+TEST_CASE("the numbers 0, around every power of two, and 2^32 - 2 are decoded unchanged") {
   const std::vector<uint32_t> values = numbers();
   check_each(Values(values.begin(), values.end()), [](auto& model, int64_t value) {
     return model.plain_number(static_cast<uint32_t>(value));
@@ -186,7 +186,7 @@ TEST_CASE("a number needs one symbol and at most 37 bits") {
   CHECK(bits == 5 + 32);
 }
 
-TEST_CASE("lengths are decoded unchanged in every class of planes and along every direction") {
+TEST_CASE("lengths are decoded unchanged in every class of planes and every direction") {
   const std::vector<uint32_t> values = numbers();
   for_each_incidence([&](Incidence incidence) {
     Values expected;
@@ -206,7 +206,7 @@ TEST_CASE("lengths are decoded unchanged in every class of planes and along ever
   });
 }
 
-TEST_CASE("raw bits are decoded unchanged") {
+TEST_CASE("raw bits in records are decoded unchanged") {
   const Values expected{0, 255, 0x5A, 0, 1, 0x7FFFFFFF, 0x89ABCDEF};
   check_round_trip(
       [&](auto& model, bool writes) {
@@ -241,7 +241,7 @@ TEST_CASE("all pairs of incidences are decoded unchanged at every kind of vertex
       expected);
 }
 
-TEST_CASE("starts anywhere on the lattice are decoded unchanged, also at the ends of 32 bits") {
+TEST_CASE("starts anywhere on the lattice are decoded unchanged, even at the limits of 32 bits") {
   Chance chance(1);
   const std::vector<int32_t> some = coordinates();
   const auto any = [&](int32_t near) {
@@ -302,7 +302,7 @@ TEST_CASE("all pairs of directions are decoded unchanged in every kind of chain"
   });
 }
 
-TEST_CASE("kinds are decoded unchanged in every state of the packet") {
+TEST_CASE("record kinds are decoded unchanged after any two previous kinds") {
   constexpr uint32_t kinds = contexts::of_kinds;
   Values expected;
   for (uint32_t a = 0; a < kinds; ++a)
@@ -368,7 +368,7 @@ TEST_CASE("the flags and incidence of a part are decoded unchanged") {
 }
 
 // A chain coded backwards uses the turns that it makes forwards.
-TEST_CASE("a chain coded backwards costs about as much as forwards") {
+TEST_CASE("a chain costs about as many bits coded backwards as coded forwards") {
   const auto cost = [](RecordKind kind, const std::vector<Direction>& directions) {
     double bits = 0;
     RecordModel<Meter> model(Meter{&bits});
@@ -385,7 +385,7 @@ TEST_CASE("a chain coded backwards costs about as much as forwards") {
   CHECK(cost(RecordKind::forwards, {0, 1, 2, 3}) < cost(RecordKind::forwards, {3, 2, 1, 0}));
 }
 
-TEST_CASE("a ring is closed exactly by two directions and lengths that lead back") {
+TEST_CASE("close_ring() returns the two lengths that lead back to the start") {
   Chance chance(2);
   int closed = 0;
   for (uint32_t link_class = 0; link_class < 3; ++link_class) {
@@ -421,7 +421,8 @@ TEST_CASE("a ring is closed exactly by two directions and lengths that lead back
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {1, 2}).is_valid);
 }
 
-TEST_CASE("the vector between two points is a run along a direction, or empty") {
+TEST_CASE(
+    "run_along() returns the run between two points along a direction, otherwise an empty run") {
   for (uint32_t link_class = 0; link_class < 3; ++link_class) {
     const uint32_t count = 4 + 2 * link_class;
     const PlaneStep* const steps = plane_steps_of(link_class);
@@ -441,7 +442,7 @@ TEST_CASE("the vector between two points is a run along a direction, or empty") 
 }
 
 // A ring closes in steps of the plane exactly if it closes in space.
-TEST_CASE("steps of a plane add up like its links") {
+TEST_CASE("plane steps add up to zero exactly if the links add up to zero") {
   for_each_incidence([&](Incidence incidence) {
     const PlaneStep* const steps = plane_steps_of(class_of(incidence));
     const uint32_t count = direction_count(incidence);
@@ -458,7 +459,7 @@ TEST_CASE("steps of a plane add up like its links") {
   });
 }
 
-TEST_CASE("a ring's first direction leads back and is the first that does") {
+TEST_CASE("first_back() returns the first direction of a plane that leads back") {
   for_each_incidence([&](Incidence incidence) {
     const auto leads_back = [&](uint32_t direction) {
       const Vertex v = direction_vector(
@@ -471,7 +472,7 @@ TEST_CASE("a ring's first direction leads back and is the first that does") {
   });
 }
 
-TEST_CASE("a ring with a half turn is not coded by its corners") {
+TEST_CASE("corners_of() returns 0 for a ring with a half turn") {
   const auto corners = [](const std::vector<Direction>& directions) {
     std::vector<uint32_t> runs;
     for (const Direction direction : directions) runs.push_back(Run::straight(direction, 1).code());

@@ -129,12 +129,12 @@ Events regions_among(const Events& events) {
 
 }  // namespace
 
-TEST_CASE("packets of another encoder are sent unchanged, numbered and counted") {
+TEST_CASE("packets written by another encoder are sent unchanged, with new numbers and counts") {
   for (const Events& events : {monstrous_events(), small_regions(1000)})
     CHECK(appended(packets_of(events, false), events.back().event()) == encode(events));
 }
 
-TEST_CASE("packets of whole regions are decoded unchanged after earlier records") {
+TEST_CASE("packets of whole regions are decoded unchanged after other records") {
   const Events before = Script().region(up).square({1, 0, 0}, 3).region_end().events;
   const Events regions = small_regions(1000);
   Events all = before;
@@ -146,7 +146,7 @@ TEST_CASE("packets of whole regions are decoded unchanged after earlier records"
   CHECK_FALSE(received.report.is_mixed);
 }
 
-TEST_CASE("a decoder passes packets of whole regions on and decodes all others") {
+TEST_CASE("a decoder passes packets of whole regions on unchanged and decodes all other packets") {
   const Events fragments = Script().fragment(up, {1, 0, 0}, 6).run(0, 5).fragment_end().events;
   const Events regions = small_regions(1000);
   const KeptPackets packets = packets_of(regions);
@@ -164,7 +164,7 @@ TEST_CASE("a decoder passes packets of whole regions on and decodes all others")
   CHECK(regions_among(none.events) == regions_among(regions));
 }
 
-TEST_CASE("a lost packet among passed-on packets is counted") {
+TEST_CASE("a lost packet among packets that are passed on is counted") {
   const Events regions = small_regions(1000);
   const KeptPackets packets = packets_of(regions);
   std::vector<Bytes> frames = frames_of(appended(packets, regions.back().event()));
@@ -176,7 +176,7 @@ TEST_CASE("a lost packet among passed-on packets is counted") {
   CHECK(rest.report.regions == 1000 - packets[4].pieces);
 }
 
-TEST_CASE("before a header packets of whole regions are decoded") {
+TEST_CASE("packets of whole regions before a header are decoded") {
   const Events regions = small_regions(1000);
   std::vector<Bytes> frames = frames_of(appended(packets_of(regions), regions.back().event()));
   frames.erase(frames.begin());
@@ -186,7 +186,7 @@ TEST_CASE("before a header packets of whole regions are decoded") {
   CHECK(late.report.regions == 1000);
 }
 
-TEST_CASE("a region that breaks off before a packet that is passed on is lost") {
+TEST_CASE("a region interrupted by a passed-on packet is lost") {
   Script begun;
   Chance chance(3);
   add_ragged_region(begun, chance, 500, 1000);
@@ -203,7 +203,7 @@ TEST_CASE("a region that breaks off before a packet that is passed on is lost") 
   CHECK(cut.events.at(cut.events_before[0] - 1).is(Kind::lost));
 }
 
-TEST_CASE("a packet of whole regions without their number is damaged") {
+TEST_CASE("a packet of whole regions without the number of regions is damaged") {
   const Events regions = small_regions(4);
   std::vector<Bytes> frames = frames_of(appended(packets_of(regions), regions.back().event()));
   Packet packet = packet_of(frames[1]);
@@ -214,7 +214,7 @@ TEST_CASE("a packet of whole regions without their number is damaged") {
   CHECK(damaged.report.damaged_packets == 1);
 }
 
-TEST_CASE("an invalid packet of another encoder is refused") {
+TEST_CASE("an encoder refuses an invalid packet of another encoder") {
   const KeptPacket longest{Bytes(detail::wire::max_whole_regions), 0xFFFF, true};
   KeptPacket too_long = longest, too_many = longest;
   too_long.payload.push_back(0);

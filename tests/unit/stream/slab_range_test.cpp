@@ -14,7 +14,7 @@ bool equal(const SlabRange& a, const SlabRange& b) {
 
 }  // namespace
 
-TEST_CASE("the bytes of a slab range are as documented") {
+TEST_CASE("the bytes of a slab range record are as documented") {
   const SlabRange range{0x01020304, 5, 0xFFFFFFFF};
   uint8_t bytes[SlabRange::record_bytes];
   const ApplicationRecord record = record_of(range, bytes);

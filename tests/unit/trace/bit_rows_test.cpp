@@ -92,7 +92,7 @@ constexpr int32_t thresholds_at_ends[] = {
 
 }  // namespace
 
-TEST_CASE("a word contains 30 columns and copies of both neighbours") {
+TEST_CASE("each word of a row contains 30 columns and copies of both neighbouring columns") {
   const std::vector<uint8_t> on(90, 1);
   Rows rows({90, 1, Border::closed});
   rows.append(on.data(), 90, 1, 1);
@@ -103,7 +103,7 @@ TEST_CASE("a word contains 30 columns and copies of both neighbours") {
   CHECK(rows.memory[3] == 0x00000003);  // columns 89 and 90, then the halo
 }
 
-TEST_CASE("the rows around every row are those of the volume, with the border") {
+TEST_CASE("the neighbours of every row are those of the volume, including the border") {
   for (const uint32_t width : boundary_widths)
     for (const uint32_t height : {1U, 2U, 3U, 5U}) {
       const BitVolume volume = reference::random({width, height, 5}, 128, width * 8 + height);
@@ -128,7 +128,7 @@ TEST_CASE("the rows around every row are those of the volume, with the border") 
     }
 }
 
-TEST_CASE("rows that have not arrived are off") {
+TEST_CASE("rows that have not yet arrived are off") {
   const std::vector<uint8_t> on(40, 1);
   Rows rows({40, 3, Border::closed});
   const auto is_on = [](const uint32_t* row) { return row[1] != 0; };
@@ -145,7 +145,7 @@ TEST_CASE("rows that have not arrived are off") {
   }
 }
 
-TEST_CASE("the widest row is stored unchanged") {
+TEST_CASE("a row of maximal width is stored unchanged") {
   constexpr uint32_t width = Limits::max_extent;
   std::mt19937 random(1);
   std::vector<uint16_t> samples(width);
@@ -161,7 +161,7 @@ TEST_CASE("the widest row is stored unchanged") {
   }
 }
 
-TEST_CASE("a row may arrive in any portions") {
+TEST_CASE("a row may arrive in portions of any size") {
   for (const uint32_t width : boundary_widths)
     for (uint32_t chunk = 1; chunk < 70; ++chunk) {
       const BitVolume volume = reference::random({width, 1, 1}, 128, chunk);
@@ -182,7 +182,7 @@ TEST_CASE("a row may arrive in any portions") {
     }
 }
 
-TEST_CASE("a row of bits equals its samples") {
+TEST_CASE("a row of bits equals the row of its samples") {
   for (const uint32_t width : boundary_widths) {
     const BitVolume volume = reference::random({width, 1, 1}, 128, width);
     std::vector<uint8_t> bits((width + 7) / 8, 0);
@@ -197,8 +197,7 @@ TEST_CASE("a row of bits equals its samples") {
 }
 
 TEST_CASE(
-    "fill_off() keeps the samples so far, and repeat() copies the previous row, across slices "
-    "too") {
+    "fill_off() keeps earlier samples, and repeat() copies the previous row, even across slices") {
   for (const uint32_t width : boundary_widths) {
     BitVolume volume = reference::random({width, 2, 2}, 160, width);
     Rows rows({width, 2, Border::closed});
@@ -225,7 +224,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the first row repeats an empty row, also after clear()") {
+TEST_CASE("repeat() of the first row yields an empty row, even after clear()") {
   const std::vector<uint8_t> on(40, 1);
   const BitVolume off({40, 2, 1});
   Rows rows({40, 2, Border::closed});
@@ -246,7 +245,7 @@ TEST_CASE("the first row repeats an empty row, also after clear()") {
   }
 }
 
-TEST_CASE("every 8-bit sample compares correctly with every threshold beside any neighbours") {
+TEST_CASE("every 8-bit sample is compared correctly with every threshold, for any neighbours") {
   for (int32_t threshold = -1; threshold <= 257; ++threshold)
     for (uint32_t lane = 0; lane < 4; ++lane)
       for (const uint8_t beside : {uint8_t{0}, uint8_t{255}}) {
@@ -257,8 +256,9 @@ TEST_CASE("every 8-bit sample compares correctly with every threshold beside any
       }
 }
 
-TEST_CASE_TEMPLATE("samples of 16 bits compare with the thresholds at the ends of all ranges",
-                   Sample, uint16_t, int16_t) {
+TEST_CASE_TEMPLATE(
+    "16-bit samples are compared correctly with thresholds at the ends of all ranges", Sample,
+    uint16_t, int16_t) {
   for (const int32_t threshold : thresholds_at_ends)
     for (const uint32_t odd : {0U, 1U})
       for (const uint32_t beside : {0U, 0x7FFFU, 0x8000U, 0xFFFFU})
@@ -280,8 +280,8 @@ TEST_CASE_TEMPLATE("a row of equal samples is all on or all off", Sample, uint8_
       check_comparison(std::vector<Sample>(64, static_cast<Sample>(value)), threshold);
 }
 
-TEST_CASE_TEMPLATE("samples may have any address and start at any column", Sample, uint8_t,
-                   uint16_t, int16_t) {
+TEST_CASE_TEMPLATE("samples may begin at any address and at any column", Sample, uint8_t, uint16_t,
+                   int16_t) {
   constexpr uint32_t width = 200;
   std::mt19937 random(1);
   for (uint32_t place = 0; place < sizeof(uint32_t); ++place)
@@ -312,8 +312,8 @@ TEST_CASE_TEMPLATE("samples may have any address and start at any column", Sampl
         }
 }
 
-TEST_CASE_TEMPLATE("a row ends at its last sample, even if samples that are off follow", Sample,
-                   uint8_t, uint16_t, int16_t) {
+TEST_CASE_TEMPLATE("a row ends at its last sample, even before further samples that are off",
+                   Sample, uint8_t, uint16_t, int16_t) {
   constexpr uint32_t width = 150;
   const std::vector<Sample> samples(2 * width, Sample{0});
   for (uint32_t count = 1; count <= width; ++count) {
@@ -323,7 +323,7 @@ TEST_CASE_TEMPLATE("a row ends at its last sample, even if samples that are off 
   }
 }
 
-TEST_CASE("a row is written as its bits, and the bits beyond its width are off") {
+TEST_CASE("a row is written as bits, and bits beyond its width are off") {
   for (const uint32_t width : boundary_widths) {
     CAPTURE(width);
     const Limits limits{width, 2, Border::closed};
@@ -345,8 +345,8 @@ TEST_CASE("a row is written as its bits, and the bits beyond its width are off")
   }
 }
 
-TEST_CASE_TEMPLATE("a single sample that is on is found in a short row, whatever precedes the row",
-                   Sample, uint8_t, uint16_t, int16_t) {
+TEST_CASE_TEMPLATE("a single on sample is found in a short row, for any preceding samples", Sample,
+                   uint8_t, uint16_t, int16_t) {
   constexpr uint32_t width = 31;
   for (uint32_t place = 0; place < width; ++place) {
     std::vector<Sample> samples(64 + width, 0);

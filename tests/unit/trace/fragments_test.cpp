@@ -17,7 +17,7 @@ Statistics scanned(const BitVolume& volume, uint32_t slots) {
 
 }  // namespace
 
-TEST_CASE("a side is cut if its ends are 4,080 places apart, in either order") {
+TEST_CASE("a side is full if its ends are at least 4,080 places apart, in either order") {
   constexpr detail::trace::Place places = 1U << detail::trace::place_bits;
   for (const detail::trace::Place from : {0U, 5U, 4100U, 8191U})
     for (detail::trace::Place distance = 0; distance < 4100; ++distance) {
@@ -27,13 +27,13 @@ TEST_CASE("a side is cut if its ends are 4,080 places apart, in either order") {
     }
 }
 
-TEST_CASE("a ring of any length stays whole while a thousand slots are left") {
+TEST_CASE("a ring of any length stays whole if a thousand slots are free") {
   CHECK(scanned(spiral({200, 200, 1}), 2700).fragments == 0);
   CHECK(scanned(spiral({120, 120, 1}), 1778).fragments == 0);
   CHECK(scanned(spiral({120, 120, 1}), 1777).fragments > 0);
 }
 
-TEST_CASE("the numbers of regions and fragments per number of slots are the recorded ones") {
+TEST_CASE("each number of slots yields the recorded numbers of regions and fragments") {
   struct Known {
     uint32_t slots;
     uint64_t regions, fragments;

@@ -54,7 +54,8 @@ TEST_CASE("a hole is assigned to the ring around it in planes of every direction
   CHECK(holes > 200);
 }
 
-TEST_CASE("a hole is assigned to the ring around it, not to a ring with an oblique side close by") {
+TEST_CASE(
+    "a hole is assigned to the ring around the hole, not to a nearby ring with an oblique side") {
   struct Known {
     Size size;
     Incidence incidence;
@@ -71,7 +72,7 @@ TEST_CASE("a hole is assigned to the ring around it, not to a ring with an obliq
   }
 }
 
-TEST_CASE("a hole belongs to its own ring, although a corner of another is on its line") {
+TEST_CASE("a hole is assigned to its own ring, although a corner of another ring is on its line") {
   // A face behind the picture has an island in a hole. Another hole waits to the right of the
   // corner where two oblique sides of the island meet.
   const char* const picture[] = {
@@ -85,7 +86,7 @@ TEST_CASE("a hole belongs to its own ring, although a corner of another is on it
   CHECK(difference_of_indexes(volume) == "");
 }
 
-TEST_CASE("a hole is assigned to its own ring, even if its slot is reused") {
+TEST_CASE("a hole is assigned to its own ring, even if the hole's slot is reused") {
   // Noise, followed by pairs of adjacent plates. One plate closes while the hole of the other
   // waits.
   const BitVolume noise = random({40, 36, 2}, 128, 8);
@@ -101,8 +102,9 @@ TEST_CASE("a hole is assigned to its own ring, even if its slot is reused") {
   CHECK(difference_of_indexes(volume) == "");
 }
 
-TEST_CASE_TEMPLATE("a hole is found by its plane, and at the end if no ring encloses it", Index,
-                   uint16_t, uint32_t) {
+TEST_CASE_TEMPLATE(
+    "a hole is found by its plane, and is sent at the end if no ring encloses the hole", Index,
+    uint16_t, uint32_t) {
   using Holes = detail::trace::Holes<Index, NoNormal>;
   typename Holes::Slots slots;
   detail::trace::Slot<Index, NoNormal> memory[300];
@@ -144,7 +146,7 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and at the end if no ring encl
   }
 }
 
-TEST_CASE_TEMPLATE("a hole that closes with too few spare slots is sent as a loose fragment", Index,
+TEST_CASE_TEMPLATE("a hole that closes with too few free slots is sent as a loose fragment", Index,
                    uint16_t, uint32_t) {
   using Fragments = detail::trace::Fragments<Index, NoNormal>;
   using Delivery = detail::trace::Delivery<Index, NoNormal, true>;
@@ -179,7 +181,7 @@ TEST_CASE_TEMPLATE("a hole that closes with too few spare slots is sent as a loo
   }
 }
 
-TEST_CASE("a hole in a tree stores its incidence, first direction and note") {
+TEST_CASE("a hole stores its incidence, its first direction and a note") {
   detail::trace::Hole<uint32_t> hole{};
   // Twice eight half-steps along a row of the widest volume, and half an eighth.
   constexpr int32_t last = 16 * 65531 + 1;
@@ -201,7 +203,7 @@ TEST_CASE("a hole in a tree stores its incidence, first direction and note") {
       }
 }
 
-TEST_CASE("among many holes on a plane, each is assigned to its own ring") {
+TEST_CASE("each of many holes on a plane is assigned to its own ring") {
   // A plate with holes, islands in the holes, and holes in the islands. Slots cross it at an angle,
   // with thin islands in them. Two of its sides have teeth.
   BitVolume plate({61, 47, 3});
@@ -225,8 +227,8 @@ TEST_CASE("among many holes on a plane, each is assigned to its own ring") {
   CHECK(difference_of_indexes(upright) == "");
 }
 
-TEST_CASE_TEMPLATE("the peak counts the holes that wait at once, and each scan resets it", Index,
-                   uint16_t, uint32_t) {
+TEST_CASE_TEMPLATE("the peak of holes is the number waiting at once, and each scan resets the peak",
+                   Index, uint16_t, uint32_t) {
   // Three holes in each of two faces of a plate.
   BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
   for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
@@ -253,7 +255,7 @@ TEST_CASE_TEMPLATE("the peak counts the holes that wait at once, and each scan r
   CHECK(extractor.peaks().slots == slots);
 }
 
-TEST_CASE("a loose hole is sent before the last piece of the ring around it") {
+TEST_CASE("a loose hole is sent before the last fragment of the ring around the hole") {
   BitVolume volume = random({12, 14, 2}, 36, 11999326367699514143U);
   for (uint8_t& voxel : volume.on) voxel ^= 1;
   const std::vector<Region> merged = merge(volume, true);
@@ -302,7 +304,7 @@ Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& 
 
 }  // namespace
 
-TEST_CASE("a hole whose ring was sent loose before it follows at the end of the slab") {
+TEST_CASE("a hole whose ring was sent as fragments before it is sent at the end of the slab") {
   const BitVolume volume = half_space({15, 11, 4}, incidence_normal(18), 27, 1079688895);
   BitVolume upper({15, 11, 2});
   std::copy_n(&volume.on[volume.index(0, 0, 2)], upper.voxels(), upper.on.begin());

@@ -55,7 +55,7 @@ size_t count(const Events& events, Event::Kind kind) {
 
 }  // namespace
 
-TEST_CASE("a lean extractor has no totals of cells, facets and triangles") {
+TEST_CASE("a lean extractor reports no totals of cells, facets and triangles") {
   const Events events = events_of<LeanExtractor16>(ball({20, 20, 20}, {9, 9, 9}, 70), ample);
   const Events all = events_of<Extractor16>(ball({20, 20, 20}, {9, 9, 9}, 70), ample);
   Statistics expected = *all.back().event().statistics;
@@ -63,7 +63,7 @@ TEST_CASE("a lean extractor has no totals of cells, facets and triangles") {
   CHECK(counts(*events.back().event().statistics) == counts(expected));
 }
 
-TEST_CASE("a lean extractor sends holes as loose rings, and a joiner assigns them to regions") {
+TEST_CASE("a lean extractor sends holes as loose rings, which a joiner assigns to regions") {
   size_t holes = 0;
   for (const BitVolume& volume : volumes())
     for (const uint32_t slots : {ample.slots, some_slots}) {

@@ -56,7 +56,8 @@ class Ends {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("lost ends keep their positions among other ends", Index, uint16_t, uint32_t) {
+TEST_CASE_TEMPLATE("lost ends in a queue keep their positions among other ends", Index, uint16_t,
+                   uint32_t) {
   // A count that needs more than two bytes.
   for (const uint32_t many : {1U, 2U, 0xFFFFU, 0x10000U, 0x30001U}) {
     CAPTURE(many);
@@ -86,7 +87,7 @@ TEST_CASE_TEMPLATE("lost ends keep their positions among other ends", Index, uin
 }
 
 // The room for a batch of edges in every queue depends on this.
-TEST_CASE("each queue of a vertex has at most one incoming and one outgoing pass") {
+TEST_CASE("each queue at a vertex has at most one incoming and one outgoing pass") {
   uint32_t most = 0, recurrences = 0;
   for (int axis = 0; axis < 3; ++axis)
     for (const bool is_on : {false, true})

@@ -17,7 +17,7 @@ bool is_top(const Vertex& came, const Vertex& goes) {
 
 }  // namespace
 
-TEST_CASE("a plane has at most one top at each vertex") {
+TEST_CASE("each plane has at most one ring top at each vertex") {
   uint32_t neighbourhoods = 0, tops = 0, most = 0;
   for (int axis = 0; axis < 3; ++axis)
     for_each_neighbourhood(axis, [&](const detail::trace::PassList& passes) {
@@ -35,7 +35,7 @@ TEST_CASE("a plane has at most one top at each vertex") {
   CHECK(most == 1);
 }
 
-TEST_CASE("an incidence occurs at most once at each centroid") {
+TEST_CASE("each incidence occurs at most once around each centroid") {
   for (unsigned configuration = 0; configuration < 256; ++configuration) {
     const Loops loops = detail::derive::loops(static_cast<Configuration>(configuration));
     for (int n = 0; n < loops.count; ++n) {

@@ -70,7 +70,7 @@ List list_of(Pooled& pooled, uint32_t appended, uint32_t prepended) {
 
 }  // namespace
 
-TEST_CASE("prepended and appended runs and joined lists keep their order") {
+TEST_CASE("runs keep their order if prepended, appended or in joined lists") {
   for (uint32_t n = 0; n < 6 * 6 * 6 * 6; ++n) {
     Pooled pooled;
     List list = list_of(pooled, n % 6, n / 6 % 6);
@@ -85,7 +85,7 @@ TEST_CASE("prepended and appended runs and joined lists keep their order") {
   }
 }
 
-TEST_CASE("a slot stores three consecutive runs") {
+TEST_CASE("a slot of a run list stores three consecutive runs") {
   Pooled pooled;
   (void)list_of(pooled, 30, 0);
   CHECK(pooled.slots.in_use() == 10);
@@ -93,7 +93,7 @@ TEST_CASE("a slot stores three consecutive runs") {
   CHECK(pooled.slots.in_use() == 20);
 }
 
-TEST_CASE("a released list leaves no slot in use") {
+TEST_CASE("releasing a list leaves no slot in use") {
   for (uint32_t runs = 1; runs < 20; ++runs) {
     Pooled pooled;
     const List kept = list_of(pooled, 4, 0);
@@ -104,7 +104,7 @@ TEST_CASE("a released list leaves no slot in use") {
   }
 }
 
-TEST_CASE("the slots of a list are counted up to the requested number") {
+TEST_CASE("slots of a run list are counted up to a requested number") {
   Pooled pooled;
   CHECK(Lists::slots_up_to(pooled.slots, no_slot, 5) == 0);
   for (const uint32_t slots : {1U, 2U, 7U}) {

@@ -19,7 +19,7 @@ bool adds_up(uint64_t sum, uint64_t whole, size_t slabs) {
 
 }  // namespace
 
-TEST_CASE("slabs join to the whole, and their counts add up except at seams") {
+TEST_CASE("slabs join to the whole surface, and their counts add up except at seams") {
   for (uint64_t seed = 0; seed < 12; ++seed) {
     const BitVolume volume = random({9, 8, 6}, 20 + 18 * static_cast<uint32_t>(seed), seed);
     for (const Border border : {Border::closed, Border::open})
@@ -41,7 +41,7 @@ TEST_CASE("slabs join to the whole, and their counts add up except at seams") {
   }
 }
 
-TEST_CASE("a slab without its own slice has no surface, for any context") {
+TEST_CASE("a slab without slices of its own has no surface, for any slices around the slab") {
   struct Below {  // the layer below the first slice of a closed border is not at a seam
     Border border;
     bool continues_below;
@@ -68,8 +68,8 @@ TEST_CASE("a slab without its own slice has no surface, for any context") {
     }
 }
 
-TEST_CASE_TEMPLATE("a slab accepts slices up to the last number and refuses further ones", Scanner,
-                   Extractor16, Extractor32, NormalExtractor16<uint8_t>, HostExtractor) {
+TEST_CASE_TEMPLATE("a slab accepts slices up to the last number and refuses further slices",
+                   Scanner, Extractor16, Extractor32, NormalExtractor16<uint8_t>, HostExtractor) {
   constexpr uint32_t slice = 3 * 2, own = 3;
   const std::vector<uint8_t> slices((own + 2) * slice, 1);
   Limits limits{3, 2};

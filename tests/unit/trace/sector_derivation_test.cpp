@@ -14,7 +14,7 @@
 namespace discmc::detail::trace {
 namespace {
 
-TEST_CASE("the sector table derived at run time has the right sectors") {
+TEST_CASE("the sector table derived at run time equals the compile-time table") {
   SectorTable table{};
   table = derive::sector_table();  // a constant would be derived by the compiler
   CHECK(reference::broken(table) == nullptr);
@@ -26,20 +26,20 @@ TEST_CASE("the sector table derived at run time has the right sectors") {
   CHECK(memcmp(table.part, sector_table.part, sizeof table.part) == 0);
 }
 
-TEST_CASE("row lines derived at run time equal those of the compiler") {
+TEST_CASE("row lines derived at run time equal the compile-time row lines") {
   LineBits bits{};
   bits = derive::line_bits(6, 8, 2);
   for (int row = 0; row < 8; ++row) CHECK(bits.by_row[row] == lines_of_y[1].by_row[row]);
   CHECK(bits.by_row[7] == (1 << 12 | 1 << 4));
 }
 
-TEST_CASE("link steps derived at run time equal those of the compiler") {
+TEST_CASE("link steps derived at run time equal the compile-time link steps") {
   LinkSteps again{};
   again = derive::link_steps();
   CHECK(memcmp(&again, &link_steps, sizeof again) == 0);  // the numbers have no gaps
 }
 
-TEST_CASE("cell edge numbers derived at run time equal those of the compiler") {
+TEST_CASE("cell edge numbers derived at run time equal the compile-time numbers") {
   derive::EdgeNumbers again{};
   again = derive::number_edges();
   for (int i = 0; i < cell_edges; ++i) {
