@@ -66,7 +66,7 @@ struct Inputs : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Inputs, "commands that messages about inputs advise succeed") {
+TEST_CASE_FIXTURE(Inputs, "every command that a message about an input advises succeeds") {
   const std::string out = " -q -o out.stl";
   check_advice(
       {{"extract two.nrrd --iso 5" + out, "choose one with --frame N, the first is 0",
@@ -120,7 +120,7 @@ TEST_CASE_FIXTURE(Inputs, "commands that messages about inputs advise succeed") 
                  "can be read only once; store it in a file"));
 }
 
-TEST_CASE_FIXTURE(Inputs, "commands that messages about volumes in files advise succeed") {
+TEST_CASE_FIXTURE(Inputs, "every command that a message about volumes in files advises succeeds") {
   write("colours.nrrd", nrrd("type: uchar\nencoding: ascii\nkinds: vector domain domain domain\n"
                              "spacings: nan 1 1 1\n",
                              "2 6 5 4") +
@@ -171,7 +171,7 @@ TEST_CASE_FIXTURE(Inputs, "commands that messages about volumes in files advise 
                  "extract masks/both.nii --labels all -q -o out.glb"}});
 }
 
-TEST_CASE_FIXTURE(Inputs, "commands that messages about options advise succeed") {
+TEST_CASE_FIXTURE(Inputs, "every command that a message about options advises succeeds") {
   const std::string iso = "extract v.nrrd --iso 100 -q ";
   const std::string stl = iso + "-o out.stl ", ply = iso + "-o out.ply ", dmc = iso + "-o out.dmc ";
   const std::string all = "extract labels.nrrd --labels all -q ";
@@ -271,7 +271,7 @@ TEST_CASE_FIXTURE(Inputs, "commands that messages about options advise succeed")
   done(iso + "-o 'none/{name}.stl'");
 }
 
-TEST_CASE_FIXTURE(Inputs, "commands that messages about pages advise succeed") {
+TEST_CASE_FIXTURE(Inputs, "every command that a message of view about pages advises succeeds") {
   if (discmc::command::page_template().empty()) return;
   check_advice({{"view v.nrrd --no-open --median 3 -o out.html", "add --iso auto",
                  "view v.nrrd --no-open --median 3 --iso auto -o out.html"},

@@ -17,14 +17,14 @@ std::string text_of(const Placement& placement) {
 
 }  // namespace
 
-TEST_CASE("a record is printed with its kind, position and bytes") {
+TEST_CASE("an application record is printed with its kind, position and bytes") {
   const uint8_t bytes[] = {0, 0x7F, 0xA0};
   CHECK(text(ApplicationRecord{3, 40, 5, bytes, 3}) == "kind 3, slice 40, row 5: 3 bytes 00 7f a0");
   CHECK(text(ApplicationRecord{0, 0, 0, bytes, 1}) == "kind 0, slice 0, row 0: 1 byte 00");
   CHECK(text(ApplicationRecord{9, 1, 2, nullptr, 0}) == "kind 9, slice 1, row 2: 0 bytes");
 }
 
-TEST_CASE("a placement is printed in millimetres with all nanometres") {
+TEST_CASE("a placement record is printed in millimetres, exact to the nanometre") {
   Placement placement;
   placement.axes_nm[0][0] = -1500000;
   placement.axes_nm[1][1] = 1;

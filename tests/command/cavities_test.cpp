@@ -28,7 +28,7 @@ BitVolume block() {
 
 }  // namespace
 
-TEST_CASE("a filled cavity loses the bodies inside it") {
+TEST_CASE("filling a cavity removes the bodies inside the cavity") {
   const double whole = components(surface_of(block())).at(0).volume_mm3;
   BitVolume volume = block();
   put_box(volume, {4, 4, 4}, {15, 15, 15}, 0);
@@ -41,7 +41,8 @@ TEST_CASE("a filled cavity loses the bodies inside it") {
   CHECK(left[0] == doctest::Approx(whole));
 }
 
-TEST_CASE("filling a cavity keeps a body outside it, even within the cavity's bounding box") {
+TEST_CASE(
+    "filling a cavity keeps a body outside the cavity, even within the cavity's bounding box") {
   BitVolume volume({20, 20, 20});
   // A cavity with three arms, and a body outside, between the arms.
   put_box(volume, {0, 0, 0}, {19, 6, 6}, 1);
@@ -55,7 +56,7 @@ TEST_CASE("filling a cavity keeps a body outside it, even within the cavity's bo
   CHECK(volumes_after_filling(volume).size() == 2);
 }
 
-TEST_CASE("a hollow that is open to the border is not filled") {
+TEST_CASE("--fill leaves a hollow that is open at the border of the volume") {
   BitVolume volume = block();
   put_box(volume, {8, 8, 8}, {10, 10, 19}, 0);
   const double before = components(surface_of(volume)).at(0).volume_mm3;

@@ -25,7 +25,9 @@ struct Cone : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Cone, "each of several thresholds has a channel in either kind of stream") {
+TEST_CASE_FIXTURE(Cone,
+                  "extract with several --iso gives each threshold its own channel in streams of "
+                  "regions and of slices") {
   for (const std::string wire : {"regions", "slices"}) {
     CAPTURE(wire);
     done("extract " + volume + "--iso 20 --iso 40 --iso 60 --scan 77 --wire " + wire +
@@ -49,7 +51,7 @@ TEST_CASE_FIXTURE(Cone, "each of several thresholds has a channel in either kind
   }
 }
 
-TEST_CASE_FIXTURE(Cone, "each of several surfaces has normals of its own") {
+TEST_CASE_FIXTURE(Cone, "each channel of a stream has the normals of its own surface") {
   const std::string normals = " --normals gradient -o ";
   done("extract " + volume + "--iso 60 --iso 80" + normals + "all.dmc");
   for (const int channel : {0, 1}) {
@@ -62,8 +64,8 @@ TEST_CASE_FIXTURE(Cone, "each of several surfaces has normals of its own") {
   }
 }
 
-TEST_CASE_FIXTURE(Cone,
-                  "without --stream-channel the first surface is decoded, and a note lists all") {
+TEST_CASE_FIXTURE(
+    Cone, "without --stream-channel, decode reads the first surface, and a note lists all") {
   done("extract " + volume + "--iso 20 --iso 40 -o all.dmc");
   const auto first = run("decode all.dmc -o first.stl");
   CHECK(first.code == 0);
@@ -76,7 +78,7 @@ TEST_CASE_FIXTURE(Cone,
   CHECK(contains(none.error, "no such surface; choose one of scan 0 channel 0 (threshold 20), "));
 }
 
-TEST_CASE_FIXTURE(Cone, "streams of two scans on one link are separated") {
+TEST_CASE_FIXTURE(Cone, "info and decode separate the streams of two scans in one file") {
   done("extract " + volume + "--iso 20 --scan 1 -o one.dmc");
   done("extract " + volume + "--iso 40 --scan 2 -o two.dmc");
   write("link.dmc", read("one.dmc") + read("two.dmc"));
@@ -98,7 +100,7 @@ TEST_CASE_FIXTURE(Cone, "streams of two scans on one link are separated") {
 }
 
 TEST_CASE_FIXTURE(
-    Cone, "streams that one scan number and one channel begin are listed by all their surfaces") {
+    Cone, "info lists every surface of joined streams that share a scan number and a channel") {
   done("extract " + volume + "--iso 20 --wire slices -o a.dmc");
   done("extract " + volume + "--iso 30 --iso 40 --wire slices -o b.dmc");
   write("link.dmc", read("a.dmc") + read("b.dmc"));
@@ -108,7 +110,7 @@ TEST_CASE_FIXTURE(
   CHECK(contains(list, "surface scan 0 channel 1 threshold 40\n"));
 }
 
-TEST_CASE_FIXTURE(Cone, "for a stream of slices extract prints the encoder's memory") {
+TEST_CASE_FIXTURE(Cone, "extract prints the encoder's memory for a stream of slices") {
   const std::string extract = "extract " + volume + "--iso 20 --wire slices -o s.dmc";
   const auto result = run(extract);
   CHECK(contains(result.out, "bytes of slice encoder"));
@@ -117,7 +119,7 @@ TEST_CASE_FIXTURE(Cone, "for a stream of slices extract prints the encoder's mem
     fails(extract + memory, 2, {"leave out --memory"});
 }
 
-TEST_CASE_FIXTURE(Cone, "a picture shows one surface, and a volume has no channels") {
+TEST_CASE_FIXTURE(Cone, "render refuses several --iso, and --stream-channel for a volume") {
   CHECK(run("render " + volume + "--iso 20 --stream-channel 1 -o p.png").code == 2);
   CHECK(run("render " + volume + "--iso 20 --iso 30 -o p.png").code == 2);
 }

@@ -71,7 +71,9 @@ void check_classic(const Field& field, Border border) {
 
 }  // namespace
 
-TEST_CASE("classic Marching Cubes is closed, manifold, and as large as the statistics") {
+TEST_CASE(
+    "a mesh of classic Marching Cubes is closed, manifold, and has the triangles that the "
+    "statistics count") {
   for (const Border border : {Border::closed, Border::open}) {
     check_classic(ball(13, 4.3), border);
     check_classic(bits(discmc::reference::checkerboard({6, 5, 4})), border);
@@ -79,7 +81,7 @@ TEST_CASE("classic Marching Cubes is closed, manifold, and as large as the stati
   }
 }
 
-TEST_CASE("classic Marching Cubes is closed for tilings of every configuration") {
+TEST_CASE("classic Marching Cubes gives a closed mesh for tilings of every cell configuration") {
   for (int configuration = 0; configuration < discmc::configurations; ++configuration) {
     INFO(configuration);
     const auto code = static_cast<discmc::Configuration>(configuration);
@@ -108,7 +110,7 @@ TEST_CASE("triangles of Marching Cubes face outside for axes in either direction
       }
 }
 
-TEST_CASE("samples of every type give the same triangles") {
+TEST_CASE("classic Marching Cubes gives the same triangles for samples of every type") {
   const Field field = noise({7, 6, 5}, 4);
   const FaceMesh expected = classic_of(field);
   for (const SampleType type : {SampleType::u16, SampleType::i16}) {

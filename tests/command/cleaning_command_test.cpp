@@ -22,7 +22,7 @@ struct Boxes : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Boxes, "the largest bodies are kept, in meshes of volumes and of streams") {
+TEST_CASE_FIXTURE(Boxes, "--largest keeps the largest bodies in meshes of volumes and of streams") {
   done(extract + "-o all.jsonl");
   const auto kept = [&](const std::string& options) {
     const auto result = run(extract + options + " --allow-empty -q -o kept.jsonl");
@@ -51,7 +51,8 @@ TEST_CASE_FIXTURE(Boxes, "the largest bodies are kept, in meshes of volumes and 
   CHECK(contains(kept("--min-volume 1e9"), "0 of 3"));
 }
 
-TEST_CASE_FIXTURE(Boxes, "a median removes specks, in meshes and in both streams") {
+TEST_CASE_FIXTURE(Boxes,
+                  "--median removes specks from meshes and from streams of regions and of slices") {
   CHECK(contains(run(extract + "--median 3 --largest 1 -o one.jsonl").error, "1 of 2"));
   done(extract + "--median 3 --largest 2 -o v.jsonl");
   for (const std::string wire : {"regions", "slices"}) {
@@ -70,7 +71,8 @@ TEST_CASE_FIXTURE(Boxes, "cleaning options that contradict each other are refuse
   fails(extract + "--median 3 --normals gradient -o v.dmc", 2, {"--median", "--normals"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "invalid counts and volumes are refused with the expected form") {
+TEST_CASE_FIXTURE(Workshop,
+                  "invalid values of cleaning options are refused with the expected form") {
   for (const std::string none : {"0", "2.5", "abc", "-1"})
     fails("extract v.nrrd --iso 1 -o v.stl --largest=" + none, 2,
           {"invalid value '" + none + "'; expected a whole number from 1"});
@@ -79,7 +81,8 @@ TEST_CASE_FIXTURE(Workshop, "invalid counts and volumes are refused with the exp
           {"invalid value '" + none + "'; expected cubic millimetres"});
 }
 
-TEST_CASE_FIXTURE(Boxes, "pictures of a volume and of its stream show the bodies kept") {
+TEST_CASE_FIXTURE(
+    Boxes, "render draws only the bodies that cleaning options keep, for volumes and for streams") {
   done(extract + "-q -o v.dmc");
   const std::string layout = "v.raw" + extract.substr(extract.find(" --dims"));
   const auto picture = [&](const std::string& input, const std::string& options) {

@@ -60,7 +60,7 @@ std::vector<std::uint8_t> expected(const BitVolume& volume, const Point& spacing
 
 }  // namespace
 
-TEST_CASE("closing equals its definition for any spacing and width of a row") {
+TEST_CASE("closed() equals the definition of morphological closing for any spacing and row width") {
   using discmc::reference::random;
   const auto check = [](const BitVolume& volume, const Point& spacing_mm, double radius_mm) {
     CHECK(closed(volume, spacing_mm, radius_mm) == expected(volume, spacing_mm, radius_mm));

@@ -84,7 +84,8 @@ auto seeds(std::uint8_t place, const std::string& name, Codec codec) {
   return found;
 }
 
-TEST_CASE_FIXTURE(Folder, "each accepted transfer syntax has a fuzz input read to its end") {
+TEST_CASE_FIXTURE(Folder,
+                  "every accepted DICOM transfer syntax has a fuzz input that is read to its end") {
   const std::set<std::string> found = seeds(12, "v.dcm", transfer_syntax);
   std::size_t accepted = 0;
   for (const std::string& uid : transfer_syntaxes()) {
@@ -102,7 +103,8 @@ TEST_CASE_FIXTURE(Folder, "each accepted transfer syntax has a fuzz input read t
   CHECK(accepted >= 15);
 }
 
-TEST_CASE_FIXTURE(Folder, "each accepted compression of TIFF has a fuzz input read to its end") {
+TEST_CASE_FIXTURE(Folder,
+                  "every accepted TIFF compression has a fuzz input that is read to its end") {
   const std::set<std::uint32_t> found = seeds(14, "v.tif", tiff_compression);
   std::size_t accepted = 0;
   for (const std::uint32_t number : tiff_compressions()) {

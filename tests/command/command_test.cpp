@@ -46,7 +46,8 @@ struct Ball : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Ball, "decode writes the same files as extract does from the volume") {
+TEST_CASE_FIXTURE(Ball,
+                  "decode writes the same mesh files from a stream as extract from its volume") {
   done("extract v.nrrd --iso 100 -o v.dmc");
   for (const std::string& format : all_formats) {
     done("extract v.nrrd --iso 100 -q -o extracted." + format);
@@ -56,7 +57,9 @@ TEST_CASE_FIXTURE(Ball, "decode writes the same files as extract does from the v
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "the report has the output's file, bytes, faces and closedness") {
+TEST_CASE_FIXTURE(Workshop,
+                  "the report of extract lists the output's file, bytes and faces, and whether the "
+                  "mesh is closed") {
   write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
   BitVolume step = box({8, 8, 4}, {1, 1, 1}, {5, 5, 1});
   const BitVolume upper = box({8, 8, 4}, {1, 1, 2}, {2, 3, 2});
@@ -76,7 +79,8 @@ TEST_CASE_FIXTURE(Workshop, "the report has the output's file, bytes, faces and 
   CHECK(done(extract + "-q -o v.stl").empty());
 }
 
-TEST_CASE_FIXTURE(Workshop, "only STL far from the origin is reported as coarse and open") {
+TEST_CASE_FIXTURE(Workshop,
+                  "far from the origin, only STL meshes are reported as coarse and open") {
   const std::string near = "space: LPS\nspace directions: (0.1,0,0) (0,0.1,0) (0,0,0.1)\n";
   write("far.nrrd", small_ball(), near + "space origin: (5000000.3,-6000000.1,7000000.7)\n");
   write("near.nrrd", small_ball(), near + "space origin: (0.3,-0.1,0.7)\n");
@@ -131,8 +135,7 @@ TEST_CASE_FIXTURE(Workshop, "unwritable outputs are refused before the volume is
 }
 
 TEST_CASE_FIXTURE(
-    Ball,
-    "a stream without an output name is written to standard output, and the table elsewhere") {
+    Ball, "without -o, the stream is written to standard output and the table to standard error") {
   CHECK(contains(done("extract v.nrrd --iso 100 -o v.dmc"), "classic Marching Cubes"));
   for (const char* output : {"", " -o -"}) {
     const Result result = run(std::string("extract v.nrrd --iso 100") + output);
@@ -181,7 +184,7 @@ TEST_CASE_FIXTURE(Workshop, "an open border leaves the surface open where the vo
   CHECK(info_of("v.dmc")["regions"] == "26");
 }
 
-TEST_CASE_FIXTURE(Ball, "lines of JSON hold the corners of polygons in half-steps") {
+TEST_CASE_FIXTURE(Ball, "JSON Lines output has the corners of polygons in half-steps") {
   write("one.nrrd", one_voxel());
   done("extract one.nrrd --iso 100 -o one.jsonl");
   const std::string lines = read("one.jsonl");
@@ -192,7 +195,9 @@ TEST_CASE_FIXTURE(Ball, "lines of JSON hold the corners of polygons in half-step
   CHECK(std::to_string(lines_in(read("v.jsonl"))) == info_of("v.dmc")["regions"]);
 }
 
-TEST_CASE_FIXTURE(Workshop, "faces are triangles, and polygons on request if the format has them") {
+TEST_CASE_FIXTURE(Workshop,
+                  "mesh faces are triangles by default, and polygons with --faces polygons if the "
+                  "format supports them") {
   const BitVolume volume = box({5, 5, 5}, {1, 1, 1}, {3, 3, 3});
   write("v.nrrd", volume);
   done("extract v.nrrd --iso 100 -o v.dmc");
@@ -220,7 +225,8 @@ TEST_CASE_FIXTURE(Workshop, "faces are triangles, and polygons on request if the
             {"--faces", name, ".ply, .obj, .vtp or .jsonl"});
 }
 
-TEST_CASE_FIXTURE(Ball, "options that a format cannot hold are refused on standard output") {
+TEST_CASE_FIXTURE(Ball,
+                  "options that the --format of standard output cannot represent are refused") {
   const std::pair<std::string, std::string> wrong[] = {
       {"stl --faces polygons",
        "--faces: .stl on standard output cannot hold polygons; leave it "
@@ -237,7 +243,7 @@ TEST_CASE_FIXTURE(Ball, "options that a format cannot hold are refused on standa
     fails("extract v.nrrd --iso 100 -o - --format " + words, 2, {message});
 }
 
-TEST_CASE_FIXTURE(Workshop, "iso is in the units that the file declares") {
+TEST_CASE_FIXTURE(Workshop, "--iso is in the units that the volume file declares") {
   const std::string samples = volume_files::stored(volume_files::SampleType::u8);
   write("v.nii", volume_files::Nifti().scale(2, -1000).file(samples));
   for (const std::string iso : {"--iso -900", "--iso=-900.5", "--iso -901.999"}) {
@@ -276,7 +282,8 @@ TEST_CASE_FIXTURE(Ball, "an empty surface is valid in every format") {
   }
 }
 
-TEST_CASE_FIXTURE(Ball, "a table that cannot be written is a failure, but the stream is written") {
+TEST_CASE_FIXTURE(
+    Ball, "a table that cannot be written fails the command, and the stream is still written") {
   if (shell("test -c /dev/full").code != 0) return;
   const Result result = shell("\"$discmc\" extract v.nrrd --iso 100 -o v.dmc >/dev/full");
   check_failure(result, 1, {"standard output: writing failed (No space left on device)"});
@@ -316,7 +323,9 @@ TEST_CASE_FIXTURE(Workshop, "less memory makes the stream longer; the surface is
   fails("extract v.nrrd --iso 100 --memory 100 -o no.dmc", 1, {"--memory 100 ", "at least "});
 }
 
-TEST_CASE_FIXTURE(Workshop, "names hold blanks and any letters; a file may be its own output") {
+TEST_CASE_FIXTURE(
+    Workshop,
+    "file names may have blanks and non-ASCII letters, and the input may also be the output") {
   const std::string name = "ein Schädel; $x '* 頭";
   write(name + ".nrrd", small_ball());
   const std::string quoted = "\"ein Schädel; \\$x '* 頭";
@@ -327,7 +336,7 @@ TEST_CASE_FIXTURE(Workshop, "names hold blanks and any letters; a file may be it
   CHECK(file_names().size() == 2);
 }
 
-TEST_CASE_FIXTURE(Ball, "wrong usage exits with 2") {
+TEST_CASE_FIXTURE(Ball, "wrong usage exits with code 2") {
   write("v.raw", little_endian_u16);
   std::vector<std::string> wrong = {"",
                                     "explode",
@@ -359,7 +368,7 @@ TEST_CASE_FIXTURE(Ball, "wrong usage exits with 2") {
   for (const std::string& arguments : wrong) fails(arguments, 2, {"discmc: "});
 }
 
-TEST_CASE_FIXTURE(Workshop, "wrong values are reported with the expected ones") {
+TEST_CASE_FIXTURE(Workshop, "invalid values of options are reported with the expected values") {
   for (const char* memory : {"some", "3Q", "-5", "1.5M", ""})
     fails("extract v.nrrd --iso 1 --memory '" + std::string(memory) + "'", 2,
           {"invalid number of bytes '" + std::string(memory) + "'", "as in 24K"});
@@ -392,7 +401,7 @@ TEST_CASE_FIXTURE(Workshop, "an unreadable volume is reported by name, and no fi
         {"v.raw: the file has 3431 bytes", "13 x 12 x 11 u16 has 3432"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "samples that are not a number are off and reported") {
+TEST_CASE_FIXTURE(Workshop, "extract counts NaN samples as off and reports their number") {
   std::string samples = volume_files::stored(volume_files::SampleType::f32);
   const float nan = std::nanf("");
   std::memcpy(&samples[samples.size() - sizeof nan], &nan, sizeof nan);
@@ -404,7 +413,8 @@ TEST_CASE_FIXTURE(Workshop, "samples that are not a number are off and reported"
   CHECK(contains(done("info none.dmc"), "regions 0\n"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "gradient normals suit samples of every type, streams and meshes") {
+TEST_CASE_FIXTURE(Workshop,
+                  "--normals gradient accepts samples of every type, for streams and meshes") {
   const std::string dims = " --dims 5,3,4 --type ";
   write("u8.raw", volume_files::stored(volume_files::SampleType::u8));
   write("f64.raw", volume_files::stored(volume_files::SampleType::f64));
@@ -436,13 +446,13 @@ TEST_CASE_FIXTURE(Workshop, "a spacing that a stream cannot hold is refused") {
   CHECK(file_names().size() == 1);
 }
 
-TEST_CASE_FIXTURE(Ball, "memory beyond the need of any volume changes nothing") {
+TEST_CASE_FIXTURE(Ball, "--memory larger than any volume needs leaves the stream unchanged") {
   done("extract v.nrrd --iso 100 -o v.dmc");
   done("extract v.nrrd --iso 100 --memory 100000G -o more.dmc");
   CHECK(read("v.dmc") == read("more.dmc"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a run that is ended by a signal leaves no file") {
+TEST_CASE_FIXTURE(Workshop, "extract ended by a signal leaves no output file") {
   const Result result = shell(
       "truncate -s 2000000000 v.raw; \"$discmc\" extract v.raw --dims 1000,1000,2000 --type u8 "
       "--iso 1 "
@@ -451,7 +461,7 @@ TEST_CASE_FIXTURE(Workshop, "a run that is ended by a signal leaves no file") {
   CHECK(file_names() == std::vector<std::string>{"v.raw"});
 }
 
-TEST_CASE_FIXTURE(Ball, "a pipe named as the output stays a pipe") {
+TEST_CASE_FIXTURE(Ball, "an output that is a named pipe stays a pipe") {
   done("extract v.nrrd --iso 100 -o v.dmc");
   const Result result = shell(
       "mkfifo p.dmc; timeout 10 cat p.dmc & \"$discmc\" extract v.nrrd --iso 100 -q -o p.dmc; "
@@ -459,7 +469,7 @@ TEST_CASE_FIXTURE(Ball, "a pipe named as the output stays a pipe") {
   CHECK(result.out == read("v.dmc"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a mesh is written to standard output with --format as to a file") {
+TEST_CASE_FIXTURE(Workshop, "--format writes the same mesh to standard output as to a file") {
   write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
   for (const std::string format :
        {"stl", "ply", "obj", "glb", "3mf", "vtp", "jsonl", "csv", "json", "dmc", ".STL"}) {

@@ -34,7 +34,9 @@ bool lacks_assimp(const Result& result) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop, "a stream is compared with its volume, in millimetres and in voxels") {
+TEST_CASE_FIXTURE(
+    Workshop,
+    "compare measures distances between a stream and its volume in millimetres and in voxels") {
   const auto ball = discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 100);
   write("v.nrrd", ball, "spacings: 2 2 2\n");
   done("extract v.nrrd --iso 100 -q -o v.dmc");
@@ -56,7 +58,7 @@ TEST_CASE_FIXTURE(Workshop, "a stream is compared with its volume, in millimetre
     CHECK(row == std::vector<double>{0, 0, 0});
 }
 
-TEST_CASE_FIXTURE(Workshop, "meshes are compared in millimetres") {
+TEST_CASE_FIXTURE(Workshop, "compare measures distances between mesh files in millimetres") {
   write("low.obj", square(0));
   write("high.obj", square(3));
   const Result result = run("compare low.obj high.obj");
@@ -67,7 +69,7 @@ TEST_CASE_FIXTURE(Workshop, "meshes are compared in millimetres") {
   for (const auto& [name, row] : distances) CHECK(row == std::vector<double>{3, 3, 3});
 }
 
-TEST_CASE_FIXTURE(Workshop, "meshes that discmc writes are read unchanged") {
+TEST_CASE_FIXTURE(Workshop, "compare reads meshes that discmc writes, unchanged") {
   const auto ball = discmc::reference::ball({9, 9, 9}, {8, 8, 8}, 40);
   write("v.nrrd", ball, "spacings: 1 1 2\n");
   done("extract v.nrrd --iso 100 -q -o v.dmc");

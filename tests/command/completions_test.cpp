@@ -31,7 +31,7 @@ std::string fish_offers(const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("bash completes commands, options, and the words that a value can be") {
+TEST_CASE("bash completes commands, options and the accepted words of option values") {
   if (!Workshop().has_program("bash")) return;
   CHECK(bash_offers("ex") == "extract\n");
   CHECK(contains(bash_offers("''"), "extract view info render compare"));
@@ -43,7 +43,7 @@ TEST_CASE("bash completes commands, options, and the words that a value can be")
   CHECK(bash_offers("completions ''") == "bash zsh fish\n");
 }
 
-TEST_CASE("bash completes files by itself") {
+TEST_CASE("bash completes file names by its own default") {
   if (!Workshop().has_program("bash")) return;
   CHECK(bash_offers("extract v") == "\n");
   CHECK(bash_offers("extract v.nrrd -o v") == "\n");
@@ -51,7 +51,7 @@ TEST_CASE("bash completes files by itself") {
   CHECK(contains(Workshop().done("completions bash"), "\ncomplete -o default -F "));
 }
 
-TEST_CASE("fish completes commands, options, and the words that a value can be") {
+TEST_CASE("fish completes commands, options and the accepted words of option values") {
   if (!Workshop().has_program("fish")) return;
   CHECK(fish_offers("ex") == "extract ");
   CHECK(fish_offers("extract v.nrrd --bor") == "--border ");
@@ -81,7 +81,7 @@ TEST_CASE("zsh completes the values, files and texts of options") {
   CHECK(contains(script, "'1:FILE:_files'"));
 }
 
-TEST_CASE("text of the command line is quoted in scripts") {
+TEST_CASE("completion scripts quote special characters in texts of the command line") {
   const std::string text = "it's [a] volume: $HOME `ls`; and more";
   discmc::command::CommandOutline program{"it", text, {}, {}, {}, "", ""};
   program.groups = {{"Options", {{{"-o"}, "", {}, text, false, false}}}};

@@ -29,7 +29,7 @@ TEST_CASE("a single voxel is an octahedron of a sixth of its volume") {
   CHECK(volume_of_box(1, 1, 1) == doctest::Approx(0.5 * 2 * 3 / 6));
 }
 
-TEST_CASE("separate bodies are components, and a cavity is a component of negative volume") {
+TEST_CASE("each separate body is a component, and each cavity is a component of negative volume") {
   BitVolume volume({20, 20, 20});
   put_box(volume, {2, 2, 2}, {10, 10, 10}, 1);
   put_box(volume, {5, 5, 5}, {6, 6, 6}, 0);
@@ -67,7 +67,7 @@ TEST_CASE("polygons are connected if their sides share a link") {
   CHECK(components(surface).size() == 2);
 }
 
-TEST_CASE("--largest keeps a body with its own cavities, and no body that lies in one") {
+TEST_CASE("--largest keeps a body with its cavities, and drops bodies that lie in a cavity") {
   BitVolume volume({40, 20, 20});
   put_box(volume, {1, 1, 1}, {18, 18, 18}, 1);
   put_box(volume, {3, 3, 3}, {16, 16, 16}, 0);

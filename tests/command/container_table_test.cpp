@@ -56,7 +56,8 @@ bool is_data(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("every container of other programs holds the same volume in every type and byte order") {
+TEST_CASE(
+    "files by other programs in every format hold the same volume in every type and byte order") {
   for (const auto& row : table) {
     const std::string& container = row.first;
     std::set<std::string> found;
@@ -71,7 +72,7 @@ TEST_CASE("every container of other programs holds the same volume in every type
   }
 }
 
-TEST_CASE("both files of a pair may be packed") {
+TEST_CASE("the header and the data file of a pair may be compressed with gzip") {
   const Folder packed;
   for (const std::string pair : {"analyze/i16-big", "nifti1/i16-big", "nifti2/i16-big"}) {
     const auto file = packed.write("i16-.hdr.gz", gzip(contents(folder / (pair + ".hdr"))));

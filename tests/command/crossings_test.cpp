@@ -40,7 +40,9 @@ std::set<discmc::CellPoint> around_centroid(discmc::Configuration configuration)
 
 }  // namespace
 
-TEST_CASE("the middle of an edge is moved to where the samples cross, in proportion") {
+TEST_CASE(
+    "a vertex in the middle of an edge is moved to the linearly interpolated crossing of the "
+    "samples") {
   const Field field = noise({7, 6, 5}, 1);
   const Extracted of = extracted(field);
   std::size_t moved = 0;
@@ -60,7 +62,8 @@ TEST_CASE("the middle of an edge is moved to where the samples cross, in proport
   CHECK(moved > 100);
 }
 
-TEST_CASE("a centroid is moved to the mean of the crossings around it, at the border too") {
+TEST_CASE(
+    "a cell's centroid is moved to the mean of the surrounding crossings, also at the border") {
   const Field field = noise({6, 7, 6}, 2);
   const Extracted of = extracted(field);
   const Crossings& crossings = of.finder.crossings();
@@ -107,7 +110,7 @@ TEST_CASE("crossings do not depend on the type of the samples") {
   }
 }
 
-TEST_CASE("a range is crossed at its nearer end") {
+TEST_CASE("an edge crosses a range at the end of the range that its samples enclose") {
   VolumeInfo info;
   info.dims = {4, 1, 1};
   const std::uint8_t samples[] = {0, 20, 100, 20};

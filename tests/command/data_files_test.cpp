@@ -20,7 +20,8 @@ void write_slices(const Folder& folder) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "slices in files of their own are read by a pattern or a list") {
+TEST_CASE_FIXTURE(Folder,
+                  "NRRD and MetaImage headers name one file per slice by a pattern or a list") {
   write_slices(*this);
   const auto nrrd_of = [&](const std::string& files) {
     return write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files));
@@ -38,7 +39,8 @@ TEST_CASE_FIXTURE(Folder, "slices in files of their own are read by a pattern or
   check_volume(metaimage_of("LIST\n" + list), SampleType::i16, "MetaImage, raw, detached");
 }
 
-TEST_CASE_FIXTURE(Folder, "each of several files has an equal share, in the encoding of all") {
+TEST_CASE_FIXTURE(
+    Folder, "several data files of a header hold equal shares of the slices in the same encoding") {
   write("1", gzip(slice(0) + slice(1)));
   write("2", gzip(slice(2) + slice(3)));
   check_volume(write("v.nhdr", nrrd(nrrd_i16 + "gzip\ndata file: %d 1 2 1\n")), SampleType::i16,
@@ -64,7 +66,8 @@ TEST_CASE_FIXTURE(Folder, "names of data files may have blanks, percent signs an
   check("c\\d.raw", "c\\d.raw");
 }
 
-TEST_CASE_FIXTURE(Folder, "names that leave the header's folder are refused, links followed") {
+TEST_CASE_FIXTURE(
+    Folder, "data file names that leave the header's folder are refused, and links are followed") {
   const std::string outside = write("outside1.raw", i16).string();
   for (const std::string& name :
        {outside, std::string("../outside1.raw"), std::string("..\\outside1.raw"),
@@ -85,7 +88,8 @@ TEST_CASE_FIXTURE(Folder, "names that leave the header's folder are refused, lin
                  SampleType::i16, "NRRD, raw, detached");
 }
 
-TEST_CASE_FIXTURE(Folder, "several files that do not hold the volume are refused") {
+TEST_CASE_FIXTURE(Folder,
+                  "a list or pattern of data files that does not match the volume is refused") {
   write_slices(*this);
   write("short", slice(0).substr(1));
   const auto check = [&](const std::string& files, const std::string& part) {

@@ -73,7 +73,8 @@ void check_bodies(const FaceMesh& before, const FaceMesh& after) {
 
 }  // namespace
 
-TEST_CASE("a decimated ball has the triangles that were asked for, its volume and its shape") {
+TEST_CASE(
+    "a ball decimated to --triangles has that number of triangles and keeps its volume and shape") {
   const FaceMesh before = all_triangles(ball(40, 16, 4));
   const FaceMesh mesh = decimated(before, {1000});
   CHECK(mesh.face_count() == 1000);
@@ -109,7 +110,8 @@ TEST_CASE("a larger --max-error never leaves more triangles, and bounds the dist
   }
 }
 
-TEST_CASE("--triangles is reached to one triangle, and fewer triangles are farther away") {
+TEST_CASE(
+    "--triangles is met within one triangle, and fewer triangles lie farther from the surface") {
   const FaceMesh before = all_triangles(gyroid(24));
   double mean = 0;
   for (const std::uint64_t triangles : {8000U, 4000U, 2001U, 1000U, 600U}) {
@@ -143,7 +145,7 @@ TEST_CASE("a decimated mesh stays closed and free of crossings, and each body ke
   }
 }
 
-TEST_CASE("a body is decimated to few triangles, and its small neighbours stay") {
+TEST_CASE("decimating a body to few triangles keeps a small body beside it") {
   Field field = ball(30, 9, 4);
   field.samples[(3 * 30 + 3) * 30 + 3] = 100;
   const FaceMesh before = all_triangles(field);
@@ -152,7 +154,7 @@ TEST_CASE("a body is decimated to few triangles, and its small neighbours stay")
   check_bodies(before, mesh);
 }
 
-TEST_CASE("a coarse body does not swallow a small one beside it") {
+TEST_CASE("a decimated large body does not enclose a small body beside it") {
   Field field = ball(40, 14, 4);
   const auto outside = [](double x, double y, double z) {
     return std::hypot(x - 19.5, y - 19.5, z - 19.5);
@@ -276,7 +278,8 @@ TEST_CASE_FIXTURE(Workshop, "--triangles and --max-error write decimated meshes"
   CHECK(contains(run(extract + "--max-error 0 -o v.ply").error, "above 0"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "the note about a label that stays larger has the label's name") {
+TEST_CASE_FIXTURE(Workshop,
+                  "the note about a label with more triangles than --triangles names the label") {
   std::string bytes(12 * 12 * 12, '\0');
   for (const int at : {2, 5, 8})
     for (const int below : {2, 5, 8}) bytes[static_cast<std::size_t>(at + 12 * below + 720)] = '\3';

@@ -12,7 +12,8 @@ Dataset cone_beam() {
   return put_at(data, position(0)).text(0x00180050, "DS", "2.5");
 }
 
-TEST_CASE_FIXTURE(Dicom, "frames with a common position are consecutive slices with a note") {
+TEST_CASE_FIXTURE(Dicom,
+                  "DICOM frames with a common position are consecutive slices, with a note") {
   const auto reader = open_volume(put(cone_beam()));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
   CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
@@ -20,7 +21,8 @@ TEST_CASE_FIXTURE(Dicom, "frames with a common position are consecutive slices w
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Dicom, "frames have their distance, else their thickness, else 1 mm") {
+TEST_CASE_FIXTURE(
+    Dicom, "the distance of DICOM frames is their spacing, else their thickness, else 1 mm") {
   const VolumeInfo info = read_info(put(cone_beam().text(0x00180088, "DS", "2")));
   CHECK(info.spacing_mm == Spacing{0.5, 0.75, 2});
   CHECK(noted(info, "2 mm apart, by SpacingBetweenSlices"));
@@ -30,13 +32,15 @@ TEST_CASE_FIXTURE(Dicom, "frames have their distance, else their thickness, else
   CHECK(read_info(file, {{}, Spacing{1, 1, 3}}).spacing_mm == Spacing{1, 1, 3});
 }
 
-TEST_CASE_FIXTURE(Dicom, "frames with times are read as slices, with a note") {
+TEST_CASE_FIXTURE(Dicom, "DICOM frames with times are read as slices, with a note") {
   Dataset data = cone_beam();
   data.tags(0x00280009, 0x00181063).text(0x00181063, "DS", "33");
   CHECK(noted(read_info(put(data)), "the frames have times (FrameTime), and are read as slices"));
 }
 
-TEST_CASE_FIXTURE(Dicom, "uncounted frames are left out with a note; no count means one frame") {
+TEST_CASE_FIXTURE(Dicom,
+                  "frames beyond NumberOfFrames are left out with a note; without NumberOfFrames "
+                  "one frame is read") {
   Dataset data = slice(0);
   data.samples(volume_values(), 16, true);
   for (const std::string count : {"0", "1"}) {
@@ -49,7 +53,7 @@ TEST_CASE_FIXTURE(Dicom, "uncounted frames are left out with a note; no count me
   CHECK_FALSE(noted(whole->info(), "left out"));
 }
 
-TEST_CASE_FIXTURE(Dicom, "a slope of 0 is ignored with a note") {
+TEST_CASE_FIXTURE(Dicom, "a DICOM rescale slope of 0 is ignored with a note") {
   const Dataset data = slice(0).text(0x00281053, "DS", "0").text(0x00281052, "DS", "7");
   const VolumeInfo info = read_info(put(data));
   CHECK(info.slope == 1);
@@ -72,7 +76,7 @@ TEST_CASE_FIXTURE(Folder, "pixels without a decoder are refused by the name of t
     check_refused(write("v.dcm", slice(0).file(Order::little_endian, standard + number)), part);
 }
 
-TEST_CASE_FIXTURE(Folder, "samples of every type are read in either byte order") {
+TEST_CASE_FIXTURE(Folder, "DICOM samples of every integer type are read in either byte order") {
   struct Case {
     SampleType type;
     std::size_t bits;
@@ -96,7 +100,7 @@ TEST_CASE_FIXTURE(Folder, "samples of every type are read in either byte order")
     }
 }
 
-TEST_CASE_FIXTURE(Folder, "samples of floating point are read in either byte order") {
+TEST_CASE_FIXTURE(Folder, "DICOM samples of floating point are read in either byte order") {
   const auto values = changed(as_read(volume_values()), [](double value) { return value / 64; });
   for (const Order order : {Order::little_endian, Order::big_endian})
     for (const std::size_t bits : {32U, 64U}) {
@@ -153,7 +157,8 @@ Dataset dose(const std::string& offsets) {
   return data.text(0x30040002, "CS", "GY").samples(raised(volume_values()), 32, false);
 }
 
-TEST_CASE_FIXTURE(Dicom, "a dose is in Gy, for relative and absolute offsets") {
+TEST_CASE_FIXTURE(Dicom,
+                  "RT Dose values are in Gy, for relative and absolute GridFrameOffsetVector") {
   for (const std::string offsets :
        {"0\\2.5\\5\\7.5\\10", "100\\102.5\\105\\107.5\\110", "0.0\\2.5\\5.0\\7.5\\10.0"}) {
     INFO(offsets);
@@ -166,7 +171,7 @@ TEST_CASE_FIXTURE(Dicom, "a dose is in Gy, for relative and absolute offsets") {
   }
 }
 
-TEST_CASE_FIXTURE(Dicom, "a dose whose offsets fall is read from its other end") {
+TEST_CASE_FIXTURE(Dicom, "an RT Dose whose frame offsets decrease is read from its last frame") {
   for (const std::string offsets : {"0\\-2.5\\-5\\-7.5\\-10", "100\\97.5\\95\\92.5\\90"}) {
     INFO(offsets);
     const auto reader = open_volume(put(dose(offsets)));
@@ -175,16 +180,16 @@ TEST_CASE_FIXTURE(Dicom, "a dose whose offsets fall is read from its other end")
   }
 }
 
-TEST_CASE_FIXTURE(Dicom,
-                  "offsets that are positions follow z even if the slice normal points down") {
+TEST_CASE_FIXTURE(
+    Dicom, "frame offsets that are positions follow z even if the slice normal points down") {
   Dataset data = dose("100\\102.5\\105\\107.5\\110");
   put_at(data, position(0), {1, 0, 0, 0, -1, 0});
   const VolumeInfo info = read_info(put(data));
   check_places(info, {-10, -20, 110}, {{{0.5, 0, 0}, {0, -0.75, 0}, {0, 0, -2.5}}});
 }
 
-TEST_CASE_FIXTURE(Dicom,
-                  "offsets of a dose that are uneven, or begin at neither 0 nor z, are refused") {
+TEST_CASE_FIXTURE(
+    Dicom, "RT Dose frame offsets that are uneven, or begin at neither 0 nor z, are refused") {
   const auto refused = [&](const std::string& offsets) { return refusal(put(dose(offsets))); };
   check_refusal(refused("40\\42.5\\45\\47.5\\50"),
                 "GridFrameOffsetVector begins with 40, which is neither 0 nor the z");
@@ -192,7 +197,8 @@ TEST_CASE_FIXTURE(Dicom,
   check_refusal(refused("0\\2.5\\5"), "more frames than offsets (GridFrameOffsetVector)");
 }
 
-TEST_CASE_FIXTURE(Folder, "a dose without a scale or relative is read with a note") {
+TEST_CASE_FIXTURE(Folder,
+                  "an RT Dose that is relative or has no DoseGridScaling is read with a note") {
   Dataset data = dose("0\\2.5\\5\\7.5\\10");
   const auto relative = write("r.dcm", data.text(0x30040002, "CS", "RELATIVE").file());
   CHECK(noted(read_info(relative), "values are relative doses"));
@@ -201,7 +207,7 @@ TEST_CASE_FIXTURE(Folder, "a dose without a scale or relative is read with a not
   CHECK(noted(read_info(unscaled), "a dose without DoseGridScaling"));
 }
 
-TEST_CASE_FIXTURE(Dicom, "a dose without offsets is scaled, too") {
+TEST_CASE_FIXTURE(Dicom, "an RT Dose without frame offsets is scaled by DoseGridScaling") {
   Dataset data = dose("0");
   const VolumeInfo info = read_info(put(data.drop(0x3004000c).text(0x00180050, "DS", "2.5")));
   CHECK(info.slope == 0.02);

@@ -54,7 +54,8 @@ TEST_CASE_FIXTURE(Folder, "files without a preamble are found among others by th
   CHECK(read_info(path() / "IM3").dims[2] == 1);
 }
 
-TEST_CASE_FIXTURE(Folder, "positions rounded to tenths have one step within the rounding") {
+TEST_CASE_FIXTURE(
+    Folder, "DICOM positions rounded to tenths of a millimetre are read with one constant step") {
   const double step = 0.625;
   for (const bool has_spacing : {true, false})
     for (const double begin : {40.0, 40.04}) {
@@ -72,7 +73,7 @@ TEST_CASE_FIXTURE(Folder, "positions rounded to tenths have one step within the 
     }
 }
 
-TEST_CASE("rounded positions lie on a line in any direction") {
+TEST_CASE("DICOM slices with rounded positions are read as one straight line in any direction") {
   const std::vector<double> orientation = {0.36, 0.48, -0.8, -0.8, 0.6, 0};
   const Slices slices([&](Dataset& data, int z) {
     std::vector<double> place = {-10 + 0.48 * 2.5 * z, -20 + 0.64 * 2.5 * z, 0.6 * 2.5 * z};
@@ -83,7 +84,8 @@ TEST_CASE("rounded positions lie on a line in any direction") {
   CHECK(std::fabs(info.spacing_mm[2]) == doctest::Approx(2.5).epsilon(0.02));
 }
 
-TEST_CASE_FIXTURE(Folder, "a step in the file that does not fit the positions is ignored") {
+TEST_CASE_FIXTURE(Folder,
+                  "a slice distance in the file that does not fit the positions is ignored") {
   write_rounded(*this, 16, 40, 0.33, [](Dataset& data) { data.text(0x00180050, "DS", "0.5"); });
   CHECK(std::fabs(read_info(path()).spacing_mm[2]) == doctest::Approx(0.33).epsilon(0.02));
 }
@@ -112,14 +114,15 @@ std::string folder_of_growing(const Folder& folder, int count) {
   return folder.path();
 }
 
-TEST_CASE("uneven distances of slices are noted, and refused from a quarter of a step on") {
+TEST_CASE(
+    "uneven distances of slices are noted, and refused if off by a quarter of a step or more") {
   const Folder few, some, many;
   CHECK(!noted(read_info(folder_of_growing(few, 4)), "from their place at even distances"));
   CHECK(noted(read_info(folder_of_growing(some, 40)), "slices lie up to 0.4"));
   check_refused(folder_of_growing(many, 60), "mm everywhere, slices would be 0.7");
 }
 
-TEST_CASE("a tilted gantry shears the volume as its slices lie, with a note") {
+TEST_CASE("a tilted gantry shears the volume by the positions of its slices, with a note") {
   const Slices slices([&](Dataset& data, int z) { put_at(data, position(z), tilted); });
   const auto reader = open_volume(slices.path());
   const VolumeInfo& info = reader->info();
@@ -129,7 +132,9 @@ TEST_CASE("a tilted gantry shears the volume as its slices lie, with a note") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "a tilted gantry with rounded positions shears by the step that fits") {
+TEST_CASE_FIXTURE(Folder,
+                  "for a tilted gantry with rounded positions, the volume is sheared by the step "
+                  "fitted to the positions") {
   write_rounded(*this, 16, 40, 0.33,
                 [](Dataset& data) { data.text(0x00200037, "DS", decimals(tilted)); });
   const VolumeInfo info = read_info(path());
@@ -162,7 +167,7 @@ TEST_CASE_FIXTURE(Workshop, "a tilted gantry shears the vertices like the voxels
   }
 }
 
-TEST_CASE("slices that lie on no line are refused") {
+TEST_CASE("a slice that is shifted sideways against the others is refused") {
   const Slices slices([](Dataset& data, int z) {
     std::vector<double> place = position(z);
     if (z == 2) place[0] += 0.4;
@@ -182,7 +187,7 @@ TEST_CASE("slices shifted by a few micrometres are read as straight") {
 
 // ---- decimals ----
 
-TEST_CASE("a comma in decimals is a point, with a note") {
+TEST_CASE("a decimal comma in DICOM numbers is read as a point, with a note") {
   const Slices slices([](Dataset& data, int z) {
     data.text(0x00280030, "DS", "0,75\\0,5");
     data.text(0x00200032, "DS", "-10,0\\-20,0\\" + std::to_string(1000 + 25 * z).insert(3, ","));
@@ -193,14 +198,16 @@ TEST_CASE("a comma in decimals is a point, with a note") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Dicom, "a text in place of a number is refused by the name of its element") {
+TEST_CASE_FIXTURE(Dicom,
+                  "a DICOM number that is not numeric is refused with the name of its element") {
   Dataset data = slice(0);
   const auto file = put(data.text(0x00280030, "DS", "0.75;0.5"));
   check_refused(file, "an image whose PixelSpacing is '0.75;0.5', which is not a number",
                 "dcmodify -m PixelSpacing=VALUE FILE");
 }
 
-TEST_CASE("a missing spacing is replaced by that of another element, or noted") {
+TEST_CASE(
+    "a missing PixelSpacing is replaced by another element's spacing or by 1 mm, with a note") {
   struct Case {
     std::function<void(Dataset&)> change;
     Spacing spacing;
@@ -239,7 +246,7 @@ VolumeOptions ordered(SliceOrder order) {
   return with(&VolumeOptions::order, order);
 }
 
-TEST_CASE("slices without positions are sorted by their numbers on request") {
+TEST_CASE("--order instance sorts slices without positions by InstanceNumber") {
   const Slices slices([](Dataset& data, int) {
     data.drop(0x00200032).drop(0x00200037).text(0x00180050, "DS", "2.5");
   });
@@ -254,7 +261,7 @@ TEST_CASE("slices without positions are sorted by their numbers on request") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("slices that all have one position are read in an order on request") {
+TEST_CASE("--order sorts slices that all have the same position") {
   const Slices slices([](Dataset& data, int) { put_at(data, {0, 0, 0}); });
   check_refused(slices.path(), "or read them as slices with --order instance");
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
@@ -263,7 +270,8 @@ TEST_CASE("slices that all have one position are read in an order on request") {
   CHECK(!reader->info().placement);
 }
 
-TEST_CASE_FIXTURE(Dicom, "a palette of greys gives greys, and one of colours is refused") {
+TEST_CASE_FIXTURE(Dicom,
+                  "a DICOM palette of greys is applied, and a palette of colours is refused") {
   std::vector<std::int64_t> samples;
   std::vector<double> expected;
   std::vector<std::uint64_t> words, low, pairs;
@@ -287,14 +295,14 @@ TEST_CASE_FIXTURE(Dicom, "a palette of greys gives greys, and one of colours is 
   check_refused(put(data), "a colour image, by its palette");
 }
 
-TEST_CASE("slices of MONOCHROME1 and MONOCHROME2 are refused together") {
+TEST_CASE("a volume that mixes slices of MONOCHROME1 and MONOCHROME2 is refused") {
   const Slices slices([](Dataset& data, int z) {
     data.text(0x00280004, "CS", z == 3 ? "MONOCHROME1" : "MONOCHROME2");
   });
   check_refused(slices.path(), "some slices are MONOCHROME1 and others MONOCHROME2");
 }
 
-TEST_CASE("numbers that are missing among slices in their order are missing slices") {
+TEST_CASE("with --order instance, a gap in the instance numbers is a missing slice") {
   const Slices slices([](Dataset& data, int z) {
     data.drop(0x00200032).text(0x00200013, "IS", std::to_string(z < 3 ? z + 8 : z + 10));
   });
@@ -305,7 +313,7 @@ TEST_CASE("numbers that are missing among slices in their order are missing slic
   CHECK(read_info(slices.path(), options).dims[2] == depth + 2);
 }
 
-TEST_CASE_FIXTURE(Folder, "files of several slices without positions are sorted by number") {
+TEST_CASE_FIXTURE(Folder, "--order instance sorts files of several slices without positions") {
   for (const int part : {1, 0}) {
     Dataset data = image("9." + std::to_string(part));
     std::vector<std::int64_t> values = slice_values(2 * part);
@@ -319,7 +327,9 @@ TEST_CASE_FIXTURE(Folder, "files of several slices without positions are sorted 
   CHECK(read_samples(path(), ordered(SliceOrder::instance)) == as_read(expected));
 }
 
-TEST_CASE("slices with missing or equal numbers are refused, and sorted by name on request") {
+TEST_CASE(
+    "--order instance refuses missing or equal instance numbers, and --order name reads slices "
+    "without numbers") {
   Slices slices([](Dataset& data, int) { data.drop(0x00200032).drop(0x00200013); });
   check_refused(slices.path(), ordered(SliceOrder::instance), "has no InstanceNumber",
                 "--order name");
@@ -334,7 +344,7 @@ TEST_CASE("slices with missing or equal numbers are refused, and sorted by name 
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("slices with a UID each are one volume on request") {
+TEST_CASE("--merge-series reads slices with a series UID each as one volume") {
   const Slices slices(
       [](Dataset& data, int z) { data.text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z)); });
   check_refused(slices.path(), "several volumes; choose ",
@@ -343,13 +353,15 @@ TEST_CASE("slices with a UID each are one volume on request") {
         as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "options of DICOM are refused for other volumes") {
+TEST_CASE_FIXTURE(Folder, "options for DICOM are refused for volumes of other formats") {
   const auto file = write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   check_refused(file, ordered(SliceOrder::name), "leave out --order");
   check_refused(file, with(&VolumeOptions::merges_series, true), "leave out --merge-series");
 }
 
-TEST_CASE_FIXTURE(Workshop, "the advice for unplaced slices with a UID each leads to a mesh") {
+TEST_CASE_FIXTURE(
+    Workshop,
+    "the command advised for slices without positions, each with its own UID, writes a mesh") {
   const Slices unplaced([](Dataset& data, int z) {
     data.drop(0x00200032).text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z));
   });
@@ -363,7 +375,7 @@ TEST_CASE_FIXTURE(Workshop, "the advice for unplaced slices with a UID each lead
 
 // ---- the location of the files ----
 
-TEST_CASE("a DICOMDIR opens its folder") {
+TEST_CASE("opening a DICOMDIR file reads the DICOM files of its folder") {
   const Slices slices([](Dataset&, int) {});
   Dataset directory;
   directory.text(0x00080016, "UI", "1.2.840.10008.1.3.10").text(0x00041130, "CS", "DISC");
@@ -384,7 +396,7 @@ TEST_CASE("a DICOMDIR opens its folder") {
   check_refused(alone.write("DICOMDIR", bytes), "there is no image beside the DICOMDIR");
 }
 
-TEST_CASE_FIXTURE(Folder, "slices that are packed one by one are read") {
+TEST_CASE_FIXTURE(Folder, "DICOM slices that are compressed with gzip one by one are read") {
   for (int z = 0; z < depth; ++z) {
     const std::string bytes = slice(z).file();
     if (z == 0) write("IM0", bytes);
@@ -415,7 +427,7 @@ TEST_CASE("dangling symbolic links are reported by name") {
   check_refused(dead.path() / "none.dcm", "there is no such file");
 }
 
-TEST_CASE("files whose names begin with a dot are ignored") {
+TEST_CASE("files in a DICOM folder whose names begin with a dot are ignored") {
   const Slices slices([](Dataset&, int) {});
   slices.write("._IM0", "\0\5\26\7");
   slices.write("._IM0.dcm", "\0\5\26\7");
@@ -425,7 +437,7 @@ TEST_CASE("files whose names begin with a dot are ignored") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Dicom, "padding is reported as a value, with sign or without") {
+TEST_CASE_FIXTURE(Dicom, "PixelPaddingValue is scaled like the samples, with or without sign") {
   const auto padding_of = [&](Dataset data) {
     data.text(0x00281052, "DS", "-1024").text(0x00281053, "DS", "2");
     return read_info(put(data)).padding;

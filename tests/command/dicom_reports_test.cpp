@@ -20,7 +20,9 @@ void write_slices(const Folder& folder, const std::string& prefix, Change change
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "each patient, study and frame of reference under one UID is a volume") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "each patient, study and frame of reference under one series UID is a separate volume") {
   for (const std::uint32_t tag : {patient_id, study, frame_of_reference}) {
     INFO(tag);
     for (const std::string of : {"1.1", "1.2"})
@@ -45,7 +47,9 @@ TEST_CASE_FIXTURE(Folder, "a frame of reference per slice does not separate volu
   CHECK(read_samples(path()) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "stacks acquired in turn are one volume, stacks side by side several") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "DICOM stacks acquired in turn are one volume, and stacks side by side are several volumes") {
   const auto stacks = [&](bool are_in_turn) {
     return enhanced(depth,
                     [are_in_turn](Dataset& group, int z) {
@@ -65,7 +69,8 @@ TEST_CASE_FIXTURE(Folder, "stacks acquired in turn are one volume, stacks side b
                 "2 slices of 8 x 6, 'MR', stack '1', at 147.5 to 150 mm");
 }
 
-TEST_CASE_FIXTURE(Dicom, "labels and controls of spin labelling are volumes") {
+TEST_CASE_FIXTURE(Dicom,
+                  "label and control images of arterial spin labelling are separate volumes") {
   const auto file = put(enhanced(2 * depth, [](Dataset& group, int i) {
     Dataset labelling;
     labelling.text(0x00189257, "CS", i < depth ? "LABEL" : "CONTROL");
@@ -76,7 +81,9 @@ TEST_CASE_FIXTURE(Dicom, "labels and controls of spin labelling are volumes") {
   CHECK(read_samples(file, {{}, {}, "2"}) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Dicom, "volumes of ultrasound lie in their own space, in either direction") {
+TEST_CASE_FIXTURE(
+    Dicom,
+    "ultrasound frames with positions in the space of the volume are read, also in reverse order") {
   Dataset data = enhanced(depth, [](Dataset& group, int i) {
     Dataset place, orientation;
     place.real(0x00209301, {0, 0, 2.5 * (depth - 1 - i)});
@@ -101,7 +108,7 @@ TEST_CASE_FIXTURE(
   CHECK(read_samples(put(data)) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Dicom, "equal frames in one place are slices by their thickness") {
+TEST_CASE_FIXTURE(Dicom, "DICOM frames at one position are slices spaced by their thickness") {
   const auto reader = open_volume(put(enhanced(depth, [](Dataset& group, int z) {
     place_frame(group, 0);
     return slice_values(z);
@@ -110,7 +117,7 @@ TEST_CASE_FIXTURE(Dicom, "equal frames in one place are slices by their thicknes
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Folder, "a spacing of 0 or less is noted, and 1 mm is assumed") {
+TEST_CASE_FIXTURE(Folder, "a DICOM spacing of 0 or less is noted, and 1 mm is assumed") {
   for (const std::string none : {"0\\0", "-0.75\\-0.5"}) {
     write_slices(*this, "a", [&](Dataset& data, int) { data.text(pixel_spacing, "DS", none); });
     CHECK(noted(read_info(path()), "PixelSpacing is "));
@@ -118,7 +125,7 @@ TEST_CASE_FIXTURE(Folder, "a spacing of 0 or less is noted, and 1 mm is assumed"
   }
 }
 
-TEST_CASE("slices that are a little off their places are read with a note") {
+TEST_CASE("DICOM slices slightly off their expected positions are read with a note") {
   const Folder along, aside;
   write_slices(along, "a", [](Dataset& data, int z) {
     put_at(data, {-10, -20, 100 + 2.5 * z + (z == 2 ? 0.123 : 0)});
@@ -132,14 +139,16 @@ TEST_CASE("slices that are a little off their places are read with a note") {
   check_places(info, {-10, -20, 100}, along_axes);
 }
 
-TEST_CASE_FIXTURE(Folder, "the refusal of a shift names the slices on both sides") {
+TEST_CASE_FIXTURE(Folder,
+                  "the refusal of a sideways shift names the slices before and after the shift") {
   write_slices(*this, "a", [](Dataset& data, int z) {
     put_at(data, {z < 3 ? -10.0 : 0.0, -20, 100 + 2.5 * z});
   });
   check_refused(path(), "a3 is shifted sideways by 10 mm against a2");
 }
 
-TEST_CASE_FIXTURE(Folder, "the refusal of slices in one place counts places with several") {
+TEST_CASE_FIXTURE(
+    Folder, "the refusal of slices at the same position counts the positions that have several") {
   write_slices(*this, "a", [](Dataset&, int) {});
   for (const int z : {1, 2}) {
     Dataset other = slice(z + 1, "other" + std::to_string(z));
@@ -149,13 +158,15 @@ TEST_CASE_FIXTURE(Folder, "the refusal of slices in one place counts places with
   check_refused(path(), "2 of 5 places hold several slices, from 102.5 to 105 mm");
 }
 
-TEST_CASE_FIXTURE(Folder, "elements of unknown kind are read by their tags") {
+TEST_CASE_FIXTURE(Folder,
+                  "DICOM elements with the value representation UN are read by their tags") {
   write_slices(*this, "a",
                [](Dataset& data, int) { data.bytes(pixel_spacing, "UN", "0.75\\0.5"); });
   CHECK(read_info(path()).spacing_mm == Spacing{0.5, 0.75, 2.5});
 }
 
-TEST_CASE_FIXTURE(Folder, "content that contradicts its transfer syntax is read with a note") {
+TEST_CASE_FIXTURE(Folder,
+                  "DICOM content that contradicts its transfer syntax is read with a note") {
   for (int z = 0; z < depth; ++z)
     write("a" + std::to_string(z), slice(z).file(Order::little_endian, "1.2.840.10008.1.2"));
   const auto reader = open_volume(path());
@@ -163,7 +174,9 @@ TEST_CASE_FIXTURE(Folder, "content that contradicts its transfer syntax is read 
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE_FIXTURE(Dicom, "contours are refused with the program that converts them to masks") {
+TEST_CASE_FIXTURE(Dicom,
+                  "contours (RTSTRUCT) are refused, and the message names a program that converts "
+                  "contours to masks") {
   Dataset liver, data;
   liver.text(0x30060026, "LO", "Liver");
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.481.3").text(0x00080060, "CS", "RTSTRUCT");
@@ -171,7 +184,9 @@ TEST_CASE_FIXTURE(Dicom, "contours are refused with the program that converts th
   check_refused(put(data), "this is an RTSTRUCT, the contours 'Liver'", "dcmrtstruct2nii");
 }
 
-TEST_CASE_FIXTURE(Dicom, "a document in DICOM is refused with the command that extracts it") {
+TEST_CASE_FIXTURE(Dicom,
+                  "a document inside DICOM is refused, and the message names the command that "
+                  "extracts the document") {
   Dataset data;
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.104.3").text(0x00080060, "CS", "M3D");
   data.text(0x00420012, "LO", "model/stl").bytes(0x00420011, "OB", "solid");
@@ -179,15 +194,17 @@ TEST_CASE_FIXTURE(Dicom, "a document in DICOM is refused with the command that e
                 "EncapsulatedDocument");
 }
 
-TEST_CASE_FIXTURE(Folder, "a file of another format named as DICOM is refused by its format") {
+TEST_CASE_FIXTURE(
+    Folder, "a file named .dcm with other content is refused with the name of its actual format") {
   const std::string jpeg = "\xff\xd8\xff\xe0 JFIF";
   check_refused(write("i.jpg.dcm", jpeg), "this is JPEG, and not DICOM; rename it to i.jpg");
   const std::string parts = "--bnd\r\nContent-Type: application/dicom\r\n\r\n";
   check_refused(write("m.dcm", parts), "this is a MIME message, as DICOMweb sends");
 }
 
-TEST_CASE_FIXTURE(
-    Folder, "colours are read by channel, interleaved or planar, and left out beside grey slices") {
+TEST_CASE_FIXTURE(Folder,
+                  "--channel reads DICOM colours, interleaved or planar; beside grey slices, "
+                  "colour images are left out") {
   for (const std::uint64_t is_planar : {0U, 1U}) {
     std::vector<std::int64_t> samples;
     const std::size_t count = width * height;

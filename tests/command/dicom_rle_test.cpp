@@ -122,7 +122,8 @@ TEST_CASE_FIXTURE(Folder, "RLE runs of every length are read across rows; 128 is
   CHECK(read_samples(path) == as_read(values));
 }
 
-TEST_CASE_FIXTURE(Folder, "an RLE frame in several fragments is read if offsets separate it") {
+TEST_CASE_FIXTURE(Folder,
+                  "an RLE frame in several fragments is read if offsets separate the frames") {
   Strings fragments;
   std::vector<std::uint64_t> offsets;
   std::uint64_t offset = 0;
@@ -193,7 +194,7 @@ TEST_CASE("an RLE segment that is too short or too long is refused") {
   check_refusal(refused(rle({packed(std::string(50, 'x')), good})), "RLE segment 1 has more");
 }
 
-TEST_CASE("RLE that is cut anywhere is refused") {
+TEST_CASE("RLE truncated at any byte is refused") {
   const std::string whole = frame(0);
   for (std::size_t size = 2; size + 1 < whole.size(); size += 2) {
     INFO(size);

@@ -90,7 +90,9 @@ struct Segments : Dicom {
 
 const std::vector<Dataset> liver_and_spleen = {segment(1, "Liver"), segment(2, "Spleen")};
 
-TEST_CASE_FIXTURE(Dicom, "bits of segments are one volume of their numbers, with their names") {
+TEST_CASE_FIXTURE(
+    Dicom,
+    "a binary DICOM segmentation is one volume of segment numbers with the segments' names") {
   const auto file = put(
       segmentation("BINARY", liver_and_spleen,
                    {{2, 1, box(5, 6, 0, 5)}, {1, 0, box(0, 2, 1, 2)}, {1, 1, box(0, 3, 1, 4)}}));
@@ -108,7 +110,7 @@ TEST_CASE_FIXTURE(Dicom, "bits of segments are one volume of their numbers, with
   CHECK(read_all(*reader) == slices_of({box(0, 2, 1, 2), second}));
 }
 
-TEST_CASE_FIXTURE(Segments, "slices without any segment are empty") {
+TEST_CASE_FIXTURE(Segments, "slices of a DICOM segmentation without any segment are empty") {
   const auto reader = open_volume(write_rib({{3, 4, box(0, 1, 0, 1)}, {3, 1, box(2, 3, 2, 3)}}));
   check_places(reader->info(), {-10, -20, 102.5}, along_axes);
   const Voxels none(voxels_of_slice, 0);
@@ -125,7 +127,7 @@ TEST_CASE_FIXTURE(Segments, "a SliceThickness that matches no distance between s
   CHECK(noted(info, "the slices are 5 mm apart, not the 2.5 mm of SliceThickness"));
 }
 
-TEST_CASE_FIXTURE(Segments, "slices of segments that are shifted aside shear the volume") {
+TEST_CASE_FIXTURE(Segments, "evenly shifted slices of a DICOM segmentation shear the volume") {
   const VolumeInfo info = read_info(
       write_rib({{3, 0, box(0, 1, 0, 1)}, {3, 1, box(0, 1, 0, 1)}, {3, 3, box(2, 3, 2, 3)}},
                 {0x00180088, 0.5}));
@@ -133,7 +135,7 @@ TEST_CASE_FIXTURE(Segments, "slices of segments that are shifted aside shear the
   CHECK(noted(info, "each slice is shifted by 0.5 mm"));
 }
 
-TEST_CASE_FIXTURE(Folder, "frames of bits begin within a byte") {
+TEST_CASE_FIXTURE(Folder, "frames of a binary segmentation may begin in the middle of a byte") {
   Dataset data = segmentation("BINARY", {segment(1, "Odd")}, {});
   std::vector<std::uint8_t> bits;
   std::vector<double> expected;
@@ -155,7 +157,9 @@ TEST_CASE_FIXTURE(Folder, "frames of bits begin within a byte") {
     CHECK(read_samples(write("v.dcm", data.file(order))) == expected);
 }
 
-TEST_CASE_FIXTURE(Dicom, "segments that overlap are in several volumes, each with its names") {
+TEST_CASE_FIXTURE(
+    Dicom,
+    "overlapping segments are distributed over several volumes, each with its segments' names") {
   const auto file = put(
       segmentation("BINARY", {segment(1, "Liver"), segment(2, "Tumour"), segment(5, "Rib")},
                    {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}, {5, 0, box(7, 7, 0, 0)}}));
@@ -174,7 +178,8 @@ TEST_CASE_FIXTURE(Dicom, "segments that overlap are in several volumes, each wit
   CHECK(read_all(*reader) == slices_of({box(2, 5, 2, 5, 2)}));
 }
 
-TEST_CASE_FIXTURE(Dicom, "segments overlap even if the file states that none does") {
+TEST_CASE_FIXTURE(Dicom,
+                  "overlapping segments are detected even if the file states that none overlaps") {
   const auto volumes = [this](const Voxels& second) {
     Dataset data =
         segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 3, 0, 3)}, {2, 0, second}});
@@ -185,7 +190,7 @@ TEST_CASE_FIXTURE(Dicom, "segments overlap even if the file states that none doe
   CHECK(volumes(box(2, 5, 2, 5)) == 2);
 }
 
-TEST_CASE("segments that lie beside each other in other slices do not overlap") {
+TEST_CASE("segments without a common voxel share a layer") {
   using discmc::command::Overlaps;
   Overlaps overlaps;
   const Voxels all(voxels_of_slice, 1);
@@ -202,7 +207,9 @@ TEST_CASE("segments that lie beside each other in other slices do not overlap") 
   CHECK(layers.at(4) == 0);
 }
 
-TEST_CASE_FIXTURE(Dicom, "voxels belong to a segment from a fraction of a half on") {
+TEST_CASE_FIXTURE(
+    Dicom,
+    "a voxel of a fractional segmentation belongs to a segment from a fraction of a half on") {
   Voxels fractions(voxels_of_slice, 0);
   fractions[3] = 99;
   fractions[4] = 100;
@@ -216,7 +223,7 @@ TEST_CASE_FIXTURE(Dicom, "voxels belong to a segment from a fraction of a half o
   CHECK(read_all(*reader) == slices_of({expected}));
 }
 
-TEST_CASE_FIXTURE(Dicom, "a map of labels is read unchanged, also with a palette") {
+TEST_CASE_FIXTURE(Dicom, "a DICOM label map is read unchanged, with or without a palette") {
   Voxels labels = box(0, 3, 0, 3, 1);
   labels[20] = 2;
   Dataset data =
@@ -227,7 +234,7 @@ TEST_CASE_FIXTURE(Dicom, "a map of labels is read unchanged, also with a palette
   CHECK(read_all(*reader) == slices_of({labels, Voxels(voxels_of_slice, 0), box(1, 1, 1, 1, 2)}));
 }
 
-TEST_CASE("colours of segments are converted to sRGB") {
+TEST_CASE("colours of DICOM segments are converted from CIELab to sRGB") {
   using discmc::command::srgb_of_cielab;
   // The colours that DCMTK, and therefore 3D Slicer, computes from these.
   CHECK(srgb_of_cielab({34889, 53479, 50166}) == Srgb{255, 0, 0});
@@ -239,7 +246,7 @@ TEST_CASE("colours of segments are converted to sRGB") {
   CHECK(srgb_of_cielab({56638, 32897, 42532}) == Srgb{241, 214, 145});
 }
 
-TEST_CASE_FIXTURE(Dicom, "a segmentation without positions or with uneven ones is refused") {
+TEST_CASE_FIXTURE(Dicom, "a DICOM segmentation with missing or uneven positions is refused") {
   Dataset unplaced = segmentation("BINARY", {segment(1, "Liver")}, {{1, 0, box(0, 1, 0, 1)}});
   check_refused(put(unplaced.drop(0x52009229)), "a segmentation whose frames have no position");
   Dataset twice = segmentation("BINARY", {segment(1, "Liver")},
@@ -247,7 +254,7 @@ TEST_CASE_FIXTURE(Dicom, "a segmentation without positions or with uneven ones i
   check_refused(put(twice), "two frames have the same place and segment");
 }
 
-TEST_CASE_FIXTURE(Folder, "segmentations beside an image are volumes of their own") {
+TEST_CASE_FIXTURE(Folder, "segmentations in the folder of an image are separate volumes") {
   for (int z = 0; z < depth; ++z) write("IM" + std::to_string(z), slice(z).file());
   Dataset data = segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 1, 0, 1)}});
   write("seg.dcm", data.text(0x0020000e, "UI", "1.2.9").file());

@@ -51,7 +51,8 @@ std::string place(int z) {
 
 const std::string orientation = "1.000\\0.000\\0.000\\0.000\\1.000\\0.000";
 
-TEST_CASE("slices of a folder are in the order of their positions, with spacing and scale") {
+TEST_CASE(
+    "DICOM slices of a folder are read in the order of their positions, with spacing and scale") {
   const auto reader = open_volume(files / "series");
   const VolumeInfo& info = reader->info();
   CHECK(info.dims == Dims{width, height, depth});
@@ -66,7 +67,8 @@ TEST_CASE("slices of a folder are in the order of their positions, with spacing 
   CHECK(read_all(*reader) == patterned(0, depth));
 }
 
-TEST_CASE("frames of one file are in the order of their positions, in every transfer syntax") {
+TEST_CASE(
+    "frames of a DICOM file are read in the order of their positions, in every transfer syntax") {
   const auto unsigned_values = changed(patterned(0, depth), [](double v) { return v + 2000; });
   const auto bytes = changed(patterned(0, depth),
                              [](double v) { return std::fmod(std::fmod(v, 251) + 251, 251); });
@@ -159,7 +161,7 @@ TEST_CASE_FIXTURE(Folder, "JPEG frames in several fragments each are read withou
                 "its part of the compressed pixel data is unknown");
 }
 
-TEST_CASE_FIXTURE(Folder, "JPEG frames that are not counted are left out with a note") {
+TEST_CASE_FIXTURE(Folder, "JPEG frames beyond NumberOfFrames are left out with a note") {
   const std::string count("\x28\0\x08\0IS\2\0", 8);
   const std::string split = with_split_fragments(contents(files / "u8-jpeg.dcm"));
   const auto reader = open_volume(write("v.dcm", replaced(split, count + '5', count + '2')));
@@ -195,15 +197,15 @@ TEST_CASE_FIXTURE(Folder, "JPEG of other size or samples than the file declares 
   check_refused(write("v.dcm", colours), "has 3 components; expected 1");
 }
 
-TEST_CASE("a deflated file is refused with the remedy") {
+TEST_CASE("a deflated DICOM file is refused with the remedy") {
   check_refused(files / "deflated.dcm", "deflated as a whole (inflate it with dcmconv +te)");
 }
 
-TEST_CASE("bits above the stored ones are ignored") {
+TEST_CASE("bits of DICOM samples above BitsStored are ignored") {
   CHECK(read_samples(files / "packed") == patterned(0, depth));
 }
 
-TEST_CASE("values are read if slope and intercept differ between slices") {
+TEST_CASE("DICOM values are scaled correctly if slope and intercept differ between slices") {
   const auto reader = open_volume(files / "scaled");
   CHECK(reader->info().type == SampleType::f32);
   CHECK(reader->info().slope == 1);
@@ -216,7 +218,7 @@ TEST_CASE("values are read if slope and intercept differ between slices") {
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("a missing slice is refused with its place") {
+TEST_CASE("a DICOM series with a missing slice is refused with the place of the gap") {
   const Series series;
   series.drop(2);
   check_refused(series.path(),
@@ -227,7 +229,7 @@ TEST_CASE("a missing slice is refused with its place") {
                 "2 slices are missing between 100 mm (slice0) and 107.5 mm (slice1)");
 }
 
-TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, with a note") {
+TEST_CASE("with gaps allowed, the nearest DICOM slice replaces a missing slice, with a note") {
   const Series series;
   series.drop(2);
   series.drop(3);
@@ -245,7 +247,8 @@ TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, 
   check_refused(series.path(), gaps_allowed, "too many to fill");
 }
 
-TEST_CASE_FIXTURE(Folder, "a frame replaces a missing one in every compression") {
+TEST_CASE_FIXTURE(
+    Folder, "with gaps allowed, the nearest frame replaces a missing frame in every compression") {
   std::vector<double> expected = changed(patterned(0, depth), [](double v) { return v + 2000; });
   constexpr std::ptrdiff_t of_slice = width * height;
   const std::vector<double> repeated(expected.end() - 2 * of_slice, expected.end() - of_slice);
@@ -268,7 +271,8 @@ TEST_CASE("a gap is a whole number of slices, however many are missing") {
   }
 }
 
-TEST_CASE("a repeated slice counts once, and another slice in its place is refused") {
+TEST_CASE(
+    "identical DICOM slices count once, and different slices at the same position are refused") {
   const Series series;
   series.write("copy", slice(1));
   const std::string uid = "1.2.826.0.1.3680043.10.1.1.2";
@@ -281,7 +285,7 @@ TEST_CASE("a repeated slice counts once, and another slice in its place is refus
   check_refused(series.path(), "two slices at 102.5 mm differ: ");
 }
 
-TEST_CASE("one of several series is chosen by its number or UID") {
+TEST_CASE("--series chooses one of several series by number or UID") {
   const Series series;
   const std::string uid = "1.2.826.0.1.3680043.10.1.1";
   const std::string other = "1.2.826.0.1.3680043.10.1.2";
@@ -306,7 +310,7 @@ TEST_CASE("one of several series is chosen by its number or UID") {
   check_refused(nrrd_file, {{}, {}, "1"}, "leave out --series");
 }
 
-TEST_CASE("one of several volumes in a series is chosen by its number, not by the UID") {
+TEST_CASE("--series chooses one of several volumes in a series by number, not by UID") {
   const Series series;
   series.put(0, replaced(slice(0), orientation, "-1.00\\0.000\\0.000\\0.000\\1.000\\0.000"));
   const std::string uid = "1.2.826.0.1.3680043.10.1.1";
@@ -322,7 +326,7 @@ TEST_CASE("one of several volumes in a series is chosen by its number, not by th
         depth);
 }
 
-TEST_CASE("a slice without position in a series is named") {
+TEST_CASE("DICOM slices with and without position are refused as several volumes") {
   const Series series;
   series.put(2, replaced(slice(2), "-10.000\\-20.000\\" + place(2), "                       "));
   check_refused(series.path(), "several volumes in one series, with and without position (",
@@ -337,7 +341,7 @@ TEST_CASE("pictures beside DICOM are left out, with a note") {
   CHECK(read_all(*reader) == patterned(0, depth));
 }
 
-TEST_CASE("the longest UID of a series is listed whole") {
+TEST_CASE("a series UID of the maximum length is listed whole") {
   const Series series;
   const std::string uid = "2.25." + std::string(59, '7');
   std::string bytes = slice(0);
@@ -377,7 +381,7 @@ TEST_CASE("one slice of a series is a volume, with a hint to its folder") {
   CHECK(noted(info, "give its folder"));
 }
 
-TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
+TEST_CASE("DICOM slices seen from the other side are read in reverse, without mirroring") {
   const Series series;
   series.replace(orientation, "-1.00\\0.000\\0.000\\0.000\\1.000\\0.000");
   // Seen from the other side, the order is that of decreasing z.
@@ -429,7 +433,7 @@ std::string nested(int levels, bool has_lengths) {
   return bytes.insert(bytes.find(before), inner);
 }
 
-TEST_CASE_FIXTURE(Folder, "sequences that are nested without end are refused") {
+TEST_CASE_FIXTURE(Folder, "DICOM sequences that are nested too deeply are refused") {
   for (const bool has_lengths : {false, true}) {
     CHECK(read_info(write("v.dcm", nested(30, has_lengths))).dims[0] == width);
     check_refused(write("v.dcm", nested(20000, has_lengths)), "damaged, or deflated");

@@ -79,7 +79,7 @@ void put_time(Dataset& data, int number, int) {
   data.text(temporal_position, "IS", std::to_string(number + 1));
 }
 
-TEST_CASE("two kernels under one UID are two volumes, listed by their kernels") {
+TEST_CASE("DICOM volumes with one UID are separated and listed by convolution kernel") {
   const Volumes volumes(2, put_kernel);
   const std::string text = refusal(volumes.path()) + "\n";
   check_refusal(
@@ -89,14 +89,14 @@ TEST_CASE("two kernels under one UID are two volumes, listed by their kernels") 
   volumes.check_all(2);
 }
 
-TEST_CASE("kernels are separate volumes if their slices alternate") {
+TEST_CASE("DICOM volumes of two kernels are separated if their slices alternate") {
   check_volumes(2, {}, [](Dataset& data, int number, int z) {
     put_kernel(data, number, z);
     put_at(data, {-10, -20, 100 + 2.5 * z + 1.25 * number});
   });
 }
 
-TEST_CASE("volumes that continue each other are listed with their places and a remedy") {
+TEST_CASE("DICOM volumes that continue each other are listed with their positions and a remedy") {
   const auto two = [](double second) {
     return Volumes(2, [second](Dataset& data, int number, int z) {
       put_kernel(data, number, z);
@@ -107,14 +107,14 @@ TEST_CASE("volumes that continue each other are listed with their places and a r
   CHECK(refusal(two(5).path()).find("resample") == std::string::npos);
 }
 
-TEST_CASE("images are separate volumes if their types differ from the third value on") {
+TEST_CASE("DICOM images are separate volumes if their image types differ from the third value on") {
   check_volumes(2, {"image type 'M\\ND'"}, [](Dataset& data, int number, int z) {
     const std::string origin = z % 2 == 0 ? "ORIGINAL" : "DERIVED";
     data.text(0x00080008, "CS", origin + (number == 0 ? "\\PRIMARY\\M\\ND" : "\\PRIMARY\\P\\ND"));
   });
 }
 
-TEST_CASE("times are separated, and chosen by frame or from the list") {
+TEST_CASE("volumes of several times are separated, and chosen with --frame or --series") {
   const Volumes volumes(3, [](Dataset& data, int number, int z) {
     put_time(data, number, z);
     data.text(trigger_time, "DS", std::to_string(9 * number));
@@ -129,7 +129,7 @@ TEST_CASE("times are separated, and chosen by frame or from the list") {
   check_refused(volumes.path(), options, "there is no volume 3; choose one with --frame 0 to 2");
 }
 
-TEST_CASE("frames count within the series that is chosen") {
+TEST_CASE("--frame counts volumes within the series chosen by --series") {
   const Volumes volumes(2, [](Dataset& data, int number, int) {
     data.text(echo_time, "DS", number == 0 ? "4.6" : "9.2");
   });
@@ -147,21 +147,21 @@ TEST_CASE("frames count within the series that is chosen") {
   CHECK(read_samples(volumes.path(), options) == as_read(volume_values()));
 }
 
-TEST_CASE("echo times that differ only by rounding are equal") {
+TEST_CASE("echo times that differ only by rounding do not separate volumes") {
   check_volumes(2, {"echo time 4.6 ms"}, [](Dataset& data, int number, int z) {
     data.text(echo_time, "DS",
               std::string(number == 0 ? "4.6" : "9.2") + (z == 2 ? "00000001" : ""));
   });
 }
 
-TEST_CASE("echoes of several times are separated by both") {
+TEST_CASE("volumes are separated by echo time and by time") {
   check_volumes(4, {"temporal position 2, echo time 6 ms"}, [](Dataset& data, int number, int) {
     data.text(temporal_position, "IS", std::to_string(1 + number / 2));
     data.text(echo_time, "DS", std::to_string(5 + number % 2));
   });
 }
 
-TEST_CASE("directions of diffusion are separated, with one or more per b-value") {
+TEST_CASE("diffusion volumes are separated by b-value and by gradient direction") {
   const Volumes volumes(4, [](Dataset& data, int number, int) {
     data.real(b_value, {number == 0 ? 0.0 : 1000.0});
     if (number > 0)
@@ -174,7 +174,8 @@ TEST_CASE("directions of diffusion are separated, with one or more per b-value")
   CHECK(volumes.read_series("4") == as_read(numbered_values(1)));
 }
 
-TEST_CASE("slices with individual times are separated by their order") {
+TEST_CASE(
+    "slices whose trigger times all differ are separated into volumes by the order of the times") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     data.text(trigger_time, "DS", std::to_string(100 * number + 7 * z % 5));
     data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
@@ -186,13 +187,14 @@ TEST_CASE("slices with individual times are separated by their order") {
               "distinguished only by their order: number 2 by trigger time"));
 }
 
-TEST_CASE("instance numbers determine the order if nothing else does") {
+TEST_CASE("instance numbers separate volumes if no attribute separates the slices") {
   check_volumes(3, {"number 3 by instance number"}, [](Dataset& data, int number, int z) {
     data.text(instance_number, "IS", std::to_string(1 + 3 * z + number));
   });
 }
 
-TEST_CASE("types of images separate volumes from their first value on, if nothing else does") {
+TEST_CASE(
+    "image types that differ in the first value separate volumes if no other attribute does") {
   check_volumes(2, {"image type 'DERIVED\\SECONDARY'"}, [](Dataset& data, int number, int z) {
     data.text(0x00080008, "CS", number == 0 ? "DERIVED\\SECONDARY" : "ORIGINAL\\PRIMARY");
     data.text(instance_number, "IS", std::to_string(z + 1));
@@ -208,7 +210,7 @@ TEST_CASE("attributes that vary between slices do not separate volumes") {
   });
 }
 
-TEST_CASE("an order separates no volumes if positions have different numbers of slices") {
+TEST_CASE("slices are not separated by order if positions have different numbers of slices") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
   });
@@ -216,7 +218,7 @@ TEST_CASE("an order separates no volumes if positions have different numbers of 
   check_refused(volumes.path(), "no attribute separates their volumes");
 }
 
-TEST_CASE("a volume with a missing slice is separated, and refused alone") {
+TEST_CASE("among several DICOM volumes, only the volume with a missing slice is refused") {
   const Volumes volumes(3, put_time);
   fs::remove(volumes.path() / ("IM" + std::to_string((7 * 2 + 3) % 11) + "1"));
   CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
@@ -224,7 +226,7 @@ TEST_CASE("a volume with a missing slice is separated, and refused alone") {
   check_refused(volumes.path(), with(&VolumeOptions::series, "2"), "1 slice is missing between");
 }
 
-TEST_CASE("inseparable slices at the same position are refused with both files") {
+TEST_CASE("different slices at one position that no attribute separates are refused") {
   const Volumes volumes(2, [](Dataset& data, int, int) { data.drop(instance_number); });
   check_refused(volumes.path(),
                 "two slices at 100 mm differ: ", "no attribute separates their volumes",
@@ -232,7 +234,7 @@ TEST_CASE("inseparable slices at the same position are refused with both files")
   CHECK(read_samples(volumes.path() / "IM*1") == as_read(numbered_values(1)));
 }
 
-TEST_CASE("copies of slices do not count as another time") {
+TEST_CASE("copies of DICOM slices do not count as volumes of another time") {
   const Volumes volumes(2, put_time);
   Dataset copy = numbered_slice(0, 3);
   volumes.write("copy", copy.text(temporal_position, "IS", "1").file());
@@ -259,7 +261,7 @@ Dataset side_by_side(bool has_times) {
   });
 }
 
-TEST_CASE_FIXTURE(Dicom, "times in one file are separated and chosen") {
+TEST_CASE_FIXTURE(Dicom, "volumes of several times in one DICOM file are separated and chosen") {
   for (const bool has_times : {true, false}) {
     const auto file = put(side_by_side(has_times));
     check_refused(file, has_times ? "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID"
@@ -269,7 +271,7 @@ TEST_CASE_FIXTURE(Dicom, "times in one file are separated and chosen") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "files that each hold all slices are separate volumes") {
+TEST_CASE_FIXTURE(Folder, "DICOM files that each hold all slices are separate volumes") {
   for (const int number : {0, 1}) {
     Dataset data = frames();
     put_at(data, position(0)).text(0x00180050, "DS", "2.5");
@@ -281,7 +283,7 @@ TEST_CASE_FIXTURE(Folder, "files that each hold all slices are separate volumes"
     CHECK(read_samples(path(), of_frame(number)) == as_read(numbered_values(number)));
 }
 
-TEST_CASE_FIXTURE(Dicom, "time slots of nuclear medicine are volumes") {
+TEST_CASE_FIXTURE(Dicom, "each time slot of nuclear medicine is a separate volume") {
   Dataset detector;
   put_at(detector, position(0));
   Dataset data = frames("NM");

@@ -73,7 +73,7 @@ void check(const std::vector<PlanePoint>& ring, const Cut& cut) {
 
 }  // namespace
 
-TEST_CASE("a simple ring is cut in triangles that name their neighbours") {
+TEST_CASE("ear clipping cuts a simple ring into triangles that list their neighbours") {
   std::minstd_rand random(1);
   for (std::size_t points = 5; points <= Ears::max_points; ++points)
     for (int round = 0; round < 20; ++round) {
@@ -85,7 +85,7 @@ TEST_CASE("a simple ring is cut in triangles that name their neighbours") {
   check(collinear, cut(collinear));
 }
 
-TEST_CASE("a convex ring may begin anywhere, also in the middle of a level side") {
+TEST_CASE("ear clipping accepts a convex ring that begins at any point, also within a level side") {
   std::vector<PlanePoint> ring = {{0, 0}, {2, 0}, {4, 0}, {6, 2}, {4, 4}, {2, 4}, {0, 2}};
   for (std::size_t i = 0; i < ring.size(); ++i) {
     std::rotate(ring.begin(), ring.begin() + 1, ring.end());

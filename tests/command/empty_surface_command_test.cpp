@@ -64,13 +64,13 @@ TEST_CASE_FIXTURE(Ramp, "an empty surface among several is reported, and no file
           {"no voxel reaches 7000" + values});
 }
 
-TEST_CASE_FIXTURE(Ramp, "a surface whose bodies are all too small is empty, too") {
+TEST_CASE_FIXTURE(Ramp, "removing every body as too small is reported as an empty surface") {
   const std::string extract = "extract v.nrrd --iso 100 --min-volume 100 -o v.stl";
   fails(extract, 1, {"no body is as large as --min-volume"});
   done(extract + " --allow-empty");
 }
 
-TEST_CASE_FIXTURE(Ramp, "an empty surface of a pipe is a failure, too") {
+TEST_CASE_FIXTURE(Ramp, "an empty surface of a volume read from a pipe is a failure") {
   for (const std::string file : {"v.stl", "v.dmc"}) {
     const std::string extract = "cat v.nrrd | \"$discmc\" extract - -o " + file;
     check_failure(shell(extract + " --iso 7000"), 1,
@@ -102,7 +102,8 @@ TEST_CASE_FIXTURE(Ramp, "a surface equal to the box of the volume is written wit
               {"standard input: every voxel reaches -2000"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a volume filled by the median or infinite values is reported") {
+TEST_CASE_FIXTURE(Workshop,
+                  "a volume that --median or infinite values turn on completely is reported") {
   const auto write_floats = [&](const std::string& name, const std::string& sample, int hole) {
     std::string samples;
     for (int i = 0; i < 60; ++i) samples += (i == hole ? "0" : sample) + " ";
@@ -132,7 +133,8 @@ TEST_CASE_FIXTURE(Workshop, "a volume filled by the median or infinite values is
                    "hole.nrrd: after --median every voxel reaches 5, so the surface is the box"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "the message for a volume of NaN states that no value is finite") {
+TEST_CASE_FIXTURE(Workshop,
+                  "the message for a volume of only NaN samples states that no value is finite") {
   write("v.nrrd", text_nrrd("float", "2 1 2", "nan nan nan nan"));
   fails("extract v.nrrd --iso 3 -o v.stl", 1, {"no voxel reaches 3, and no value is finite; "});
 }
@@ -156,7 +158,8 @@ TEST_CASE_FIXTURE(Ramp, "a stream without polygons is decoded and drawn with a n
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "messages about a narrowed volume print the values of the file") {
+TEST_CASE_FIXTURE(Workshop,
+                  "messages about a volume narrowed to 16 bits print the values of the file") {
   write("v.nrrd", text_nrrd("float", "2 1 2", "0.25 0.5 nan -8"));
   for (const std::string file : {"v.ply", "v.dmc"})
     fails("extract v.nrrd --iso 3 --normals gradient -o " + file, 1,

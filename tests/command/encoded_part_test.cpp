@@ -35,7 +35,7 @@ Script& add_small_regions(Script& script, Chance& chance, int count) {
 
 }  // namespace
 
-TEST_CASE("the regions of a part arrive unchanged") {
+TEST_CASE("an encoded part is decoded to the same regions") {
   Script script;
   Chance chance(5);
   add_small_regions(script, chance, 700);
@@ -44,11 +44,12 @@ TEST_CASE("the regions of a part arrive unchanged") {
   CHECK(pieces_of(decode(stream_of(script.events)).events) == pieces_of(script.events));
 }
 
-TEST_CASE("a part without regions has no packets") {
+TEST_CASE("an encoded part without regions has no packets") {
   CHECK(frames_of(stream_of({})).size() == 2);
 }
 
-TEST_CASE("packets contain whole regions, unless a region is longer than a packet") {
+TEST_CASE(
+    "packets of an encoded part contain whole regions, unless a region is longer than a packet") {
   using Kind = discmc::Event::Kind;
   Script script;
   Chance chance(5);

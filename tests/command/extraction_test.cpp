@@ -77,7 +77,7 @@ TEST_CASE("an extraction reports each slice, the number of voxels and the statis
   CHECK(extraction.statistics.fragments == 0);
 }
 
-TEST_CASE("samples of every type give the same events") {
+TEST_CASE("extraction gives the same events for samples of every type") {
   const BitVolume volume = discmc::reference::random({8, 8, 8}, 128, 4);
   const Extracted bytes = extracted(volume, options());
   for (const auto& [called, type] : discmc::command::sample_types) {
@@ -131,7 +131,7 @@ TEST_CASE("memory grows with the open fragments, not with the surface") {
   CHECK(used(100) == used(10));
 }
 
-TEST_CASE("the message for too little memory names the minimum, which suffices") {
+TEST_CASE("the minimum that the message for too little memory names suffices") {
   const BitVolume volume = discmc::reference::random({20, 20, 5}, 128, 3);
   const std::string text = refusal(volume, 7);
   INFO(text);
@@ -146,7 +146,7 @@ TEST_CASE("the message for too little memory names the minimum, which suffices")
   CHECK(regions_of(small.surface) == regions_of(extracted(volume, options()).surface));
 }
 
-TEST_CASE("the scan has exactly the requested capacities") {
+TEST_CASE("an extraction has exactly the requested capacities") {
   const BitVolume volume = discmc::reference::random({20, 20, 5}, 128, 3);
   const auto whole = regions_of(extracted(volume, options()).surface);
   for (const discmc::Capacities capacities :
@@ -173,7 +173,7 @@ TEST_CASE("capacities that no scan can have are refused") {
   }
 }
 
-TEST_CASE("both widths of indices make the same surface") {
+TEST_CASE("narrow and wide indices give the same surface") {
   constexpr std::uint64_t narrow = std::uint64_t{1} << 19, wide = std::uint64_t{1} << 20;
   for (const BitVolume& volume :
        {ball({24, 24, 24}, {23, 23, 23}, 110), discmc::reference::random({16, 16, 16}, 128, 6)})
@@ -199,7 +199,7 @@ TEST_CASE("the header of a stream describes the volume") {
   CHECK(header.border == Border::open);
 }
 
-TEST_CASE("a stream matches a volume if the given extents and spacing do") {
+TEST_CASE("a stream matches a volume if the header's extents and spacing equal the volume's") {
   const SampleReader reader(BitVolume({9, 8, 7}), spacing_mm);
   const auto header = discmc::command::stream_header(reader.info(), options());
   const auto complaint = [&reader](const discmc::StreamHeader& other) -> std::string {

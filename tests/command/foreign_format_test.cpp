@@ -44,7 +44,7 @@ TEST_CASE_FIXTURE(Folder, "an unsupported format is named with its converter") {
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "files of unsupported formats count as volumes, not as streams") {
+TEST_CASE_FIXTURE(Workshop, "info treats files of unsupported formats as volumes, not as streams") {
   for (const std::string name : {"a.czi", "a.nd2", "a+orig.HEAD", "a.mgz", "a.npz", "a.mrc"}) {
     INFO(name);
     write(name, "...");
@@ -55,7 +55,8 @@ TEST_CASE_FIXTURE(Workshop, "files of unsupported formats count as volumes, not 
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "with a layout such files are headerless samples") {
+TEST_CASE_FIXTURE(
+    Folder, "with --dims and --type, files of unsupported formats are read as headerless samples") {
   const VolumeOptions options = with(&VolumeOptions::layout, RawLayout{{5, 3, 4}, SampleType::u8});
   check_volume(write("a.isq", u8), "raw", options);
   check_volume(write("2dseq", u8), "raw", options);

@@ -30,7 +30,7 @@ std::vector<discmc::reference::Region> regions_of(const Events& events) {
 
 }  // namespace
 
-TEST_CASE("a growing joiner joins all regions from any first memory") {
+TEST_CASE("a growing joiner joins all regions, however small its initial memory") {
   const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
   const Events sent_pieces = pieces();
   REQUIRE(count(sent_pieces, Event::Kind::fragment) > 1000);
@@ -44,7 +44,7 @@ TEST_CASE("a growing joiner joins all regions from any first memory") {
   }
 }
 
-TEST_CASE("the totals count the delivered regions") {
+TEST_CASE("the totals of a growing joiner count the delivered regions") {
   for (const std::uint64_t bytes : {discmc::Joiner::minimum_bytes(), GrowingJoiner::first_bytes}) {
     const Events events = joined(pieces(), bytes);
     REQUIRE(events.back().is(Event::Kind::finish));
@@ -55,7 +55,9 @@ TEST_CASE("the totals count the delivered regions") {
   }
 }
 
-TEST_CASE("a fragment without a partner stays loose, also at the end of a truncated stream") {
+TEST_CASE(
+    "a growing joiner leaves fragments without a partner loose, also at the end of a truncated "
+    "stream") {
   const Events alone = first_fragment();
   CHECK(joined(alone) == alone);
   Events twice = alone;

@@ -48,7 +48,7 @@ std::vector<std::string> fixed_words(const std::string& message) {
 
 }  // namespace
 
-TEST_CASE("the guide explains messages that the command has") {
+TEST_CASE("every message that the guide explains occurs in the command") {
   const std::string all = sources();
   const auto messages = matches(text_of("docs/troubleshooting.md"), "\n\\| `([^`]+)` \\|");
   CHECK(messages.size() > 40);

@@ -141,12 +141,12 @@ struct Hdf5File : Folder {
   const fs::path file = path() / "v.h5";
 };
 
-TEST_CASE("the only array of three dimensions is the volume") {
+TEST_CASE("the only HDF5 array of three dimensions is the volume") {
   check_volume(files / "hdf5/i16-big-gzip.h5", SampleType::i16,
                "HDF5, /exchange/data, shuffle, gzip, fletcher32");
 }
 
-TEST_CASE("one of several arrays is chosen by its name behind that of the file") {
+TEST_CASE("one of several HDF5 arrays is chosen by FILE:NAME") {
   check_refused(several, "holds 3 arrays: /scan/half (5 x 3 x 4), /scan/truth");
   check_volume(several + ":/scan/u8", "HDF5, /scan/u8, raw");
   check_volume(several + ":/scan/half", SampleType::f32, "HDF5, /scan/half, raw");
@@ -155,7 +155,7 @@ TEST_CASE("one of several arrays is chosen by its name behind that of the file")
     CHECK((truth == 0 || truth == 1));
 }
 
-TEST_CASE("a name in a file that is no array of numbers is refused") {
+TEST_CASE("FILE:NAME is refused if NAME is no array of numbers in the HDF5 file") {
   for (const std::string name : {"/scan/none", "/scan", "/scan/complex"})
     check_refused(several + ":" + name,
                   "there is no array '" + name +
@@ -164,7 +164,7 @@ TEST_CASE("a name in a file that is no array of numbers is refused") {
   check_refused(files / "none.h5", "there is no such file");
 }
 
-TEST_CASE_FIXTURE(Folder, "a colon may be part of the name of a file") {
+TEST_CASE_FIXTURE(Folder, "the name of an HDF5 file may contain a colon") {
   const fs::path file = write("a:/volume.h5", contents(files / "hdf5/u8-little.h5"));
   check_volume(file, "HDF5, /volume, raw");
   check_volume(file.string() + ":/volume", "HDF5, /volume, raw");
@@ -174,7 +174,8 @@ TEST_CASE_FIXTURE(Folder, "HDF5 is recognized by its first bytes") {
   check_volume(write("volume", contents(files / "hdf5/u8-little.h5")), "HDF5, /volume, raw");
 }
 
-TEST_CASE("an array that cannot be unpacked or has scales of its own is refused with the remedy") {
+TEST_CASE(
+    "an HDF5 array with an unsupported filter or scales of its own is refused with the remedy") {
   const fs::path packed = files / "hdf5_arrays/packed.h5";
   check_refused(packed, "packed by the filter 32008 of HDF5, which is not installed");
   check_refused(packed, "h5py.File('" + packed.string() + "')['/volume'][()]");
@@ -182,7 +183,8 @@ TEST_CASE("an array that cannot be unpacked or has scales of its own is refused 
 }
 
 // Skipped unless Python has both modules: on Debian, python3-hdf5plugin and hdf5-filter-plugin.
-TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that it is read") {
+TEST_CASE_FIXTURE(
+    Folder, "the command advised for a packed HDF5 array unpacks the array into a readable file") {
   const command_tests::Workshop workshop;
   if (workshop.shell("/usr/bin/python3 -c 'import h5py, hdf5plugin'").code != 0) {
     MESSAGE("not run: this Python has no h5py or no hdf5plugin");
@@ -204,7 +206,7 @@ TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that 
   check_volume(write("unpacked.h5", workshop.read("unpacked.h5")), "HDF5, /volume, raw");
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "names of a file in a remedy are quoted, so that a shell runs none") {
+TEST_CASE_FIXTURE(Hdf5File, "file names in an advised command are quoted for the shell") {
   {
     const Hdf5Handle creation = chunks_of({4, 3, 5});
     H5Pset_filter(creation.id(), 32008, H5Z_FLAG_OPTIONAL, 0, nullptr);
@@ -240,7 +242,8 @@ TEST_CASE_FIXTURE(Hdf5File, "LZF of h5py is unpacked, and damaged LZF is refused
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "links to other files are followed, and a linked array counts once") {
+TEST_CASE_FIXTURE(Folder,
+                  "HDF5 links to other files are followed, and a linked array counts once") {
   check_volume(files / "hdf5_arrays/master.h5", "HDF5, /entry/data/data_000001, raw");
   write("master.h5", contents(files / "hdf5_arrays/master.h5"));
   check_refused(path() / "master.h5",
@@ -251,14 +254,15 @@ TEST_CASE_FIXTURE(Folder, "links to other files are followed, and a linked array
   CHECK(noted(info, "links that lead nowhere: /entry/data/data_000001 to data_000001.h5"));
 }
 
-TEST_CASE("the axis names in attributes of ilastik determine x, y and z") {
+TEST_CASE("the axis names in ilastik's attributes determine x, y and z") {
   const fs::path file = files / "hdf5_arrays/ilastik.h5";
   check_volume(file, "HDF5, /exported_data, raw");
   CHECK_FALSE(noted(read_info(file), "dropped"));
 }
 
-TEST_CASE_FIXTURE(Hdf5File,
-                  "--axes names the axes in any order, and samples keep their coordinates") {
+TEST_CASE_FIXTURE(
+    Hdf5File,
+    "--axes names the axes of an HDF5 array in any order, and samples keep their coordinates") {
   Bytes samples(120);
   std::iota(samples.begin(), samples.end(), std::uint8_t{0});
   for (const bool is_chunked : {false, true})
@@ -285,7 +289,7 @@ TEST_CASE_FIXTURE(Hdf5File,
     }
 }
 
-TEST_CASE_FIXTURE(Folder, "a note names the index that is x in an array of MATLAB") {
+TEST_CASE_FIXTURE(Folder, "a note names which index of a MATLAB array is x") {
   const fs::path file = path() / "volume.mat";
   {
     const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
@@ -303,12 +307,13 @@ TEST_CASE_FIXTURE(Folder, "a note names the index that is x in an array of MATLA
   CHECK(noted(info, "its first index is read as x; if it is y, give --axes zxy"));
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "padded arrays of Imaris are refused with a converter") {
+TEST_CASE_FIXTURE(Hdf5File, "padded Imaris arrays are refused with the name of a converter") {
   new_dataset(new_file(file), "DataSet/ResolutionLevel 0/TimePoint 0/Channel 0/Data");
   check_refused(file, "this is Imaris, which pads its arrays");
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "samples of fewer bits than their storage, and bitfields, are read") {
+TEST_CASE_FIXTURE(Hdf5File,
+                  "HDF5 bitfields, and samples of fewer bits than their storage, are read") {
   const auto check = [this](SampleType type, const auto& samples) {
     const auto reader = open_volume(file);
     CHECK(reader->info().type == type);
@@ -326,7 +331,8 @@ TEST_CASE_FIXTURE(Hdf5File, "samples of fewer bits than their storage, and bitfi
   check(SampleType::u8, bits);
 }
 
-TEST_CASE_FIXTURE(Folder, "a virtual array is read, and refused if one of its files is missing") {
+TEST_CASE_FIXTURE(Folder,
+                  "a virtual HDF5 array is read, and refused if one of its files is missing") {
   write("source.h5", contents(files / "hdf5/u8-little.h5"));
   write_virtual(path() / "there.h5", "source.h5");
   CHECK(read_samples(path() / "there.h5") == read_samples(path() / "source.h5"));
@@ -334,7 +340,9 @@ TEST_CASE_FIXTURE(Folder, "a virtual array is read, and refused if one of its fi
   check_refused(path() / "missing.h5", "the file 'none.h5', which is missing");
 }
 
-TEST_CASE_FIXTURE(Folder, "the limit of a slice is that of the file that holds it, behind a link") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "the size limit of a linked HDF5 array's slices depends on the file that holds the array") {
   const Hdf5Handle packed = chunks_of({1, 4000, 4000});
   H5Pset_deflate(packed.id(), 1);
   write_samples(new_dataset(new_file(path() / "large.h5"), "volume", {1, 4000, 4000}, packed),
@@ -347,12 +355,13 @@ TEST_CASE_FIXTURE(Folder, "the limit of a slice is that of the file that holds i
   CHECK(slice.back() == 7);
 }
 
-TEST_CASE_FIXTURE(Folder, "an array with too many chunks to be kept is still listed") {
+TEST_CASE_FIXTURE(
+    Folder, "an HDF5 array with too many chunks is still found, and refused by its slice size") {
   new_dataset(new_file(path() / "chunks.h5"), "volume", {3, 32766, 32766}, chunks_of({1, 1, 1}));
   check_refused(path() / "chunks.h5", "a slice of 1073610756 bytes cannot be in");
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "names with control characters are shown without") {
+TEST_CASE_FIXTURE(Hdf5File, "control characters in names of HDF5 arrays are not printed") {
   new_dataset(new_file(file), "a\x1b[31m");
   CHECK(read_info(file).format == "HDF5, /a_[31m, raw");
   new_dataset(reopened(file), "b");
@@ -372,7 +381,7 @@ TEST_CASE("libhdf5 prints no errors of its own, in any thread") {
   }).join();
 }
 
-TEST_CASE("reading continues at the right slice after a skip") {
+TEST_CASE("reading an HDF5 array continues at the right slice after a skip") {
   for (const std::string name : {"i16-big-gzip.h5", "i16-little.h5"}) {
     const auto reader = open_volume(files / "hdf5" / name);
     reader->skip_slice();
@@ -385,14 +394,14 @@ TEST_CASE("reading continues at the right slice after a skip") {
   }
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "a chunk of several slices is unpacked once") {
+TEST_CASE_FIXTURE(Hdf5File, "an HDF5 chunk of several slices is unpacked once") {
   write_counted(file);
   unpacked_chunks = 0;
   CHECK(read_samples(file) == std::vector<double>(std::size_t{4} << 20, 7));
   CHECK(unpacked_chunks == 8);
 }
 
-TEST_CASE_FIXTURE(Folder, "a file truncated at any byte is refused") {
+TEST_CASE_FIXTURE(Folder, "an HDF5 file truncated at any byte is refused") {
   const std::string bytes = contents(files / "hdf5/i16-big-gzip.h5");
   for (std::size_t size = 0; size < bytes.size(); size += 97) {
     INFO("cut at ", size);
@@ -430,7 +439,7 @@ void write_scales(const Hdf5Handle& file, const Hdf5Handle& dataset,
   write_attribute(dataset, "DIMENSION_LIST", type.id(), list.size(), list.data());
 }
 
-TEST_CASE_FIXTURE(Folder, "axes are named and placed by the scales of NetCDF in any order") {
+TEST_CASE_FIXTURE(Folder, "NetCDF dimension scales name and place the axes, in any order") {
   const fs::path file = path() / "v.nc";
   {
     const Hdf5Handle opened = new_file(file);
@@ -444,7 +453,7 @@ TEST_CASE_FIXTURE(Folder, "axes are named and placed by the scales of NetCDF in 
   CHECK(read_all(*reader) == std::vector<double>{1, 5, 9, 3, 7, 11, 2, 6, 10, 4, 8, 12});
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "uneven coordinates are refused, unless distances are given") {
+TEST_CASE_FIXTURE(Hdf5File, "uneven NetCDF coordinates are refused, unless --spacing is given") {
   {
     const Hdf5Handle opened = new_file(file);
     write_scales(opened, new_dataset(opened, "density", {3, 2, 2}),
@@ -454,7 +463,7 @@ TEST_CASE_FIXTURE(Hdf5File, "uneven coordinates are refused, unless distances ar
   CHECK(read_info(file, {{}, Spacing{1, 1, 2}}).spacing_mm == Spacing{1, 1, 2});
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "NetCDF's packed values are scaled, and the fill value is outside") {
+TEST_CASE_FIXTURE(Hdf5File, "NetCDF's packed values are scaled, and its fill value becomes NaN") {
   {
     const Hdf5Handle dataset =
         new_dataset(new_file(file), "density", {1, 2, 2}, {10, 200, 255, 10});
@@ -471,7 +480,8 @@ TEST_CASE_FIXTURE(Hdf5File, "NetCDF's packed values are scaled, and the fill val
   CHECK(read_samples(file, with(&VolumeOptions::holds_labels, true))[2] == 530);
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "_Unsigned changes the sign of whole numbers and of the fill value") {
+TEST_CASE_FIXTURE(
+    Hdf5File, "NetCDF's _Unsigned determines the sign of integer samples and of the fill value") {
   for (const bool is_unsigned : {true, false}) {
     {
       const Hdf5Handle dataset = new_dataset(new_file(file), "density", {1, 2, 2}, no_creation(),
@@ -489,7 +499,7 @@ TEST_CASE_FIXTURE(Hdf5File, "_Unsigned changes the sign of whole numbers and of 
   }
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "a fill value of NaN leaves other samples unchanged") {
+TEST_CASE_FIXTURE(Hdf5File, "a NetCDF fill value of NaN leaves other samples unchanged") {
   for (const char* const name : {"_FillValue", "missing_value"}) {
     const bool is_nan = name[0] == '_';
     write_numbers(new_dataset(new_file(file), "density", {1, 2, 2}), name,
@@ -509,7 +519,7 @@ TEST_CASE_FIXTURE(Folder, "the geometry of DREAM3D-NX places its arrays") {
   check_grid(read_info(file), {2, 3, 4}, {5, 6, 7});
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "an image of ITK has the place that is stored beside it") {
+TEST_CASE_FIXTURE(Hdf5File, "an ITK image in HDF5 has the stored spacing, origin and directions") {
   {
     const Hdf5Handle opened = new_file(file);
     new_dataset(opened, "ITKImage/0/VoxelData");
@@ -524,7 +534,9 @@ TEST_CASE_FIXTURE(Hdf5File, "an image of ITK has the place that is stored beside
   CHECK(info.placement->axes_mm[1] == Vector{-3, 0, 0});
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "signed cells of BigDataViewer are unsigned, and a range is noted") {
+TEST_CASE_FIXTURE(
+    Hdf5File,
+    "signed samples of BigDataViewer are read as unsigned, and an unapplied valid_max is noted") {
   {
     const Hdf5Handle cells =
         new_dataset(new_file(file), "t00000/s00/0/cells", {1, 2, 2}, no_creation(), H5T_STD_I16LE);
@@ -536,7 +548,7 @@ TEST_CASE_FIXTURE(Hdf5File, "signed cells of BigDataViewer are unsigned, and a r
   CHECK(read_all(*reader)[0] == 65535);
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "resolution and offset of CREMI are nanometres") {
+TEST_CASE_FIXTURE(Hdf5File, "resolution and offset of CREMI files are in nanometres") {
   {
     const Hdf5Handle dataset = new_dataset(new_file(file), "labels");
     write_numbers(dataset, "resolution", {40, 4, 8});
@@ -549,14 +561,15 @@ TEST_CASE_FIXTURE(Hdf5File, "resolution and offset of CREMI are nanometres") {
   CHECK(info.placement->origin_mm[2] == doctest::Approx(400e-6));
 }
 
-TEST_CASE_FIXTURE(Hdf5File, "a spacing whose order and unit are unknown is noted") {
+TEST_CASE_FIXTURE(Hdf5File, "an HDF5 spacing attribute of unknown order and unit is noted") {
   write_numbers(new_dataset(new_file(file), "v"), "spacing", {4, 2, 1});
   const VolumeInfo info = read_info(file);
   CHECK(noted(info, "spacing is not used, because its order and unit are unknown"));
   CHECK(noted(info, "no spacing given"));
 }
 
-TEST_CASE_FIXTURE(Folder, "the axes of NeXus place an array, also by the borders of its voxels") {
+TEST_CASE_FIXTURE(Folder,
+                  "NeXus axes place an array, whether they list voxel centres or voxel borders") {
   const fs::path file = path() / "v.nxs";
   for (const bool is_older : {false, true}) {
     {
@@ -579,7 +592,7 @@ TEST_CASE_FIXTURE(Folder, "the axes of NeXus place an array, also by the borders
   check_refused(file, "the coordinates of the axis 'theta' are uneven, from 0 to 5");
 }
 
-TEST_CASE_FIXTURE(Folder, "the dimensions of EMD name and place an array") {
+TEST_CASE_FIXTURE(Folder, "the dimensions of an EMD file name and place the axes of its array") {
   const fs::path file = path() / "v.emd";
   for (const std::size_t first : {1U, 0U}) {
     {
@@ -603,7 +616,8 @@ TEST_CASE_FIXTURE(Folder, "the dimensions of EMD name and place an array") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a map of ChimeraX has its step and origin; its copies do not count") {
+TEST_CASE_FIXTURE(Folder,
+                  "a ChimeraX map has its step and origin; its smaller copies are ignored") {
   const fs::path file = path() / "v.cmap";
   for (const bool is_oblique : {false, true}) {
     {
@@ -637,7 +651,7 @@ void write_vtk(const fs::path& file, const char* type, const std::vector<double>
   new_dataset(group, "PointData/vtkGhostType");
 }
 
-TEST_CASE_FIXTURE(Folder, "attributes place an image of VTK in HDF5") {
+TEST_CASE_FIXTURE(Folder, "a VTK image in HDF5 is placed by its attributes") {
   const fs::path file = path() / "v.vtkhdf";
   write_vtk(file, "ImageData", {5, 9, 0, 2, -1, 2}, "PointData/a", {4, 3, 5});
   const VolumeInfo info = read_info(file);

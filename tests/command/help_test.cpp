@@ -20,7 +20,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("help lists the commands, and of a command the options under headings") {
+TEST_CASE("help lists all commands, and help of a command lists its options under headings") {
   const std::string all = Workshop().done("--help");
   for (const std::string& command : commands) CHECK(contains(all, "\n  " + command + "  "));
   const std::string extract = help_of("extract");
@@ -36,7 +36,7 @@ TEST_CASE("help lists the commands, and of a command the options under headings"
   }
 }
 
-TEST_CASE("help is also a command") {
+TEST_CASE("the command help prints the same text as --help") {
   CHECK(Workshop().done("help") == Workshop().done("--help"));
   CHECK(Workshop().done("help extract") == help_of("extract"));
 }
@@ -60,7 +60,7 @@ TEST_CASE("help fits a terminal of 80 columns") {
     }
 }
 
-TEST_CASE_FIXTURE(Workshop, "every example of the help is understood") {
+TEST_CASE_FIXTURE(Workshop, "every example in the help is a valid command line") {
   for (const std::string& command : commands) {
     std::size_t examples = 0;
     for (const std::string& line : lines_of(help_of(command))) {

@@ -35,7 +35,9 @@ std::vector<Sample> few_samples() {
 
 }  // namespace
 
-TEST_CASE("samples of every type are counted each by itself, in their order") {
+TEST_CASE(
+    "a histogram of few distinct samples counts each value separately in ascending order, for "
+    "every type") {
   for (const auto& [name, type] : discmc::command::sample_types)
     discmc::meshing::with_sample_type(type, [&, type = type](auto typed) {
       using Sample = decltype(typed);
@@ -77,7 +79,7 @@ TEST_CASE("all samples of 16 bits have bins of their own") {
   }
 }
 
-TEST_CASE("non-finite values are counted separately, and both zeros together") {
+TEST_CASE("a histogram counts non-finite values separately, and 0 and -0 together") {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Histogram histogram =
@@ -90,7 +92,7 @@ TEST_CASE("non-finite values are counted separately, and both zeros together") {
   CHECK(histogram.mean() == 0);
 }
 
-TEST_CASE("more samples than bins share them with their neighbours") {
+TEST_CASE("a histogram with more distinct samples than bins counts neighbouring samples together") {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(40, 300);
   std::vector<float> samples;
@@ -116,7 +118,7 @@ TEST_CASE("more samples than bins share them with their neighbours") {
   CHECK(worst < 0.001);
 }
 
-TEST_CASE("an outlier does not coarsen the other bins") {
+TEST_CASE("an outlier does not coarsen the other bins of a histogram") {
   std::vector<std::int64_t> samples;
   for (int i = 0; i < 60000; ++i) samples.push_back(i);
   samples.push_back(std::numeric_limits<std::int64_t>::max());

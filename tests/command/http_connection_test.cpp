@@ -60,7 +60,7 @@ Exchange exchange(const std::string& bytes, std::size_t piece = std::string::npo
 
 }  // namespace
 
-TEST_CASE("the method, path, host and range of a request are parsed") {
+TEST_CASE("the method, path, host and range of an HTTP request are parsed") {
   const HttpRequest request = parse_request(
       "GET /data?x=1 HTTP/1.1\r\nAccept: */*\r\nhOST:\t localhost:8000 \r\nrange: bytes=1-2\r\n");
   CHECK(request.status == 200);
@@ -81,7 +81,7 @@ TEST_CASE("invalid HTTP/1 requests, and requests with two hosts, are refused") {
   }
 }
 
-TEST_CASE("a request is read to its empty line, in pieces of any size") {
+TEST_CASE("an HTTP request is read up to its empty line, in pieces of any size") {
   const std::string bytes = "GET / HTTP/1.1\r\nHost: localhost\r\n\r\nRange: of the body\r\n\r\n";
   for (std::size_t piece = 1; piece <= bytes.size(); ++piece) {
     CAPTURE(piece);

@@ -26,7 +26,7 @@ double in_u16(double value) {
   return value + 2000;
 }
 
-TEST_CASE("a folder of PNG is a volume in the natural order of names") {
+TEST_CASE("a folder of PNG files is a volume with slices in the natural order of names") {
   for (const std::string name : {"stack", "stack/slice*.png", "stack/slice[0-9]*"}) {
     INFO(name);
     const auto reader = open_volume(files / name);
@@ -44,7 +44,7 @@ TEST_CASE("a folder of PNG is a volume in the natural order of names") {
 }
 
 // container_table_test reads every sample type.
-TEST_CASE("pages of TIFF are slices, in every layout and order of bytes") {
+TEST_CASE("TIFF pages are read as slices in every layout and byte order") {
   for (const std::string name : {"u16", "big-endian", "tiles", "deflate", "imagej"}) {
     INFO(name);
     const auto reader = open_volume(files / (name + ".tif"));
@@ -55,7 +55,7 @@ TEST_CASE("pages of TIFF are slices, in every layout and order of bytes") {
   }
 }
 
-TEST_CASE("pictures of eight bits and less keep their values") {
+TEST_CASE("pictures of eight bits or fewer keep their values") {
   CHECK(read_samples(files / "u8.png") == values(1, in_u8));
   CHECK(read_samples(files / "bits.png") ==
         values(1, [](double value) { return std::fmod(in_u8(value), 2); }));
@@ -64,7 +64,7 @@ TEST_CASE("pictures of eight bits and less keep their values") {
   CHECK(!noted(greys->info(), "palette"));
 }
 
-TEST_CASE("the option that the refusal advises selects a channel of a colour picture") {
+TEST_CASE("the --channel option advised for a colour picture selects one of its channels") {
   check_refused(files / "rgb.png",
                 "the file holds 3 channels ('red', 'green', 'blue'), and one is read at a time; "
                 "choose one with --channel N, the first is 0");
@@ -83,7 +83,7 @@ TEST_CASE("the option that the refusal advises selects a channel of a colour pic
     }
 }
 
-TEST_CASE_FIXTURE(Folder, "JPEG is read, and a channel of a colour JPEG") {
+TEST_CASE_FIXTURE(Folder, "grey JPEG is read as slices, and colour JPEG by --channel") {
   const auto near = [](const std::vector<double>& read, int slice) {
     const std::vector<double> all = values(slice + 1, in_u8);
     double most = 0;
@@ -143,7 +143,7 @@ TEST_CASE_FIXTURE(Folder, "the EXIF orientation of PNG turns the picture, or is 
   check_refused(turned(6), "its EXIF orientation exchanges rows and columns");
 }
 
-TEST_CASE_FIXTURE(Folder, "a resolution without a unit is noted if pixels are not square") {
+TEST_CASE_FIXTURE(Folder, "a picture resolution without a unit is noted if pixels are not square") {
   const std::string png = contents(files / "u8.png");
   const auto notes = [&](char y) {
     const std::string pixels("pHYs\0\0\0\2\0\0\0", 11);
@@ -165,7 +165,7 @@ TEST_CASE_FIXTURE(Folder, "a picture is recognized by its first bytes under any 
   CHECK(read_info(path() / "slice*").dims[2] == 2);
 }
 
-TEST_CASE_FIXTURE(Folder, "a slice of another size or type is refused by its name") {
+TEST_CASE_FIXTURE(Folder, "a picture of another size or type in a stack is refused by its name") {
   write("a1.png", contents(files / "stack/slice0.png"));
   write("a2.png", contents(files / "u8.png"));
   check_refused(path(),
@@ -185,14 +185,14 @@ class NumberedStack : public Folder {
   }
 };
 
-TEST_CASE("a missing number among the names is refused with its place") {
+TEST_CASE("a missing number among picture names is refused with the place of the gap") {
   const NumberedStack stack({8, 9, 10, 12, 13, 14, 17});
   check_refused(stack.path(),
                 "3 slices are missing, the largest of 2 gaps between a2_14.png and a2_17.png; ",
                 "--allow-gaps");
 }
 
-TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a note") {
+TEST_CASE("with gaps allowed, the nearest picture replaces a missing slice, with a note") {
   const NumberedStack stack({8, 9, 11, 12, 13, 16});
   const auto reader = open_volume(stack.path(), gaps_allowed);
   CHECK(noted(reader->info(), "3 slices are missing, the largest of 2 gaps between a2_13.png and"));
@@ -207,7 +207,9 @@ TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a no
   CHECK(all == expected);
 }
 
-TEST_CASE("names with even steps, two numbers, or constant numbers have no gaps") {
+TEST_CASE(
+    "picture names with even steps, two numbers or constant numbers are not reported as having "
+    "gaps") {
   for (const std::vector<int>& numbers :
        {std::vector<int>{0, 10, 20, 30}, {3, 9}, {17, 23, 31, 40, 45}}) {
     const NumberedStack stack(numbers);
@@ -221,7 +223,7 @@ TEST_CASE("names with even steps, two numbers, or constant numbers have no gaps"
   CHECK(read_info(two_numbers.path()).dims[2] == 4);
 }
 
-TEST_CASE("more missing than present slices are refused with the largest gap") {
+TEST_CASE("picture stacks with more missing than present slices are refused with the largest gap") {
   const NumberedStack stack({1, 2, 3, 5, 900});
   for (const VolumeOptions& options : {VolumeOptions{}, gaps_allowed})
     check_refused(stack.path(), options,

@@ -36,7 +36,7 @@ TEST_CASE_FIXTURE(Workshop, "info prints the header and the statistics of a volu
     CHECK(has_line(info, line));
 }
 
-TEST_CASE_FIXTURE(Workshop, "the histogram counts every voxel once, within 80 columns") {
+TEST_CASE_FIXTURE(Workshop, "the histogram of info counts every voxel once, and fits 80 columns") {
   std::string samples = "-100000 90000";  // outliers
   for (int i = 0; i < 998; ++i) samples += ' ' + std::to_string(i);
   write("v.nrrd", text_volume("int", "10 10 10", samples));
@@ -62,7 +62,7 @@ TEST_CASE_FIXTURE(Workshop, "the histogram counts every voxel once, within 80 co
 }
 
 TEST_CASE_FIXTURE(
-    Workshop, "a few distinct values are listed individually, and as labels if they are integers") {
+    Workshop, "info lists a few distinct values individually, and proposes integers as labels") {
   write("v.nrrd", text_volume("short", "2 2 2", "0 0 0 0 0 5 5 12"));
   const std::string info = done("info v.nrrd");
   INFO(info);
@@ -106,7 +106,8 @@ TEST_CASE_FIXTURE(Workshop, "info of a volume without finite values prints no va
   CHECK(!contains(info, "proposal"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "values at the ends of 64-bit floating point have a histogram, too") {
+TEST_CASE_FIXTURE(Workshop,
+                  "info prints a histogram for the extreme values of 64-bit floating point") {
   std::string least, most;
   for (int i = 0; i < 20; ++i) {
     least += std::to_string(i) + "e-322 ";
@@ -123,7 +124,7 @@ TEST_CASE_FIXTURE(Workshop, "values at the ends of 64-bit floating point have a 
 
 TEST_CASE_FIXTURE(
     Workshop,
-    "a file without a known extension is recognized by its first bytes, else it is a stream") {
+    "info recognizes volumes and streams by their first bytes if the extension is unknown") {
   write("v.nrrd", u8_file);
   write("v.raw", u8);
   done("extract v.nrrd --iso 100 -q -o v.dmc");
@@ -141,7 +142,7 @@ TEST_CASE_FIXTURE(
   CHECK(contains(shell("\"$discmc\" info - --dims 5,3,4 --type u8 <v.raw").out, "\nrange 0 236\n"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a large input is replayed whole") {
+TEST_CASE_FIXTURE(Workshop, "info reads a large volume completely from a pipe") {
   write("v.nrrd",
         nrrd(nrrd_u8, "300 300 10") + "\n" + std::string(300 * 300 * 10 - 1, '\1') + '\7');
   const Result result = shell("cat v.nrrd | \"$discmc\" info -");
@@ -149,7 +150,9 @@ TEST_CASE_FIXTURE(Workshop, "a large input is replayed whole") {
   CHECK(contains(result.out, "\nhistogram          7          7           1 #\n"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "info refuses options of the other kind, and files of neither kind") {
+TEST_CASE_FIXTURE(Workshop,
+                  "info refuses volume options for streams, stream options for volumes, and files "
+                  "of unknown content") {
   write("v.nrrd", u8_file);
   write("nothing", "words");
   fails("info v.nrrd --stream-channel 1", 2, {"--stream-channel", "applies to streams"});

@@ -24,7 +24,9 @@ struct Ball : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Ball, "an interpolated surface is written unchanged in every format") {
+TEST_CASE_FIXTURE(Ball,
+                  "--surface interpolated writes the library's mesh unchanged, with a default "
+                  "tolerance of 0.05") {
   for (const double tolerance : {0.05, 0.2}) {
     done(extract + "--surface interpolated --tolerance " + std::to_string(tolerance) + " -o v.obj");
     const FaceMesh written = mesh_in("v.obj");
@@ -40,7 +42,8 @@ TEST_CASE_FIXTURE(Ball, "an interpolated surface is written unchanged in every f
   CHECK(read("default.obj") == read("merged.obj"));
 }
 
-TEST_CASE_FIXTURE(Ball, "a relaxed surface is the same of a volume and of its streams") {
+TEST_CASE_FIXTURE(Ball,
+                  "--surface relaxed gives the same mesh from a volume and from its streams") {
   done(extract + "--surface relaxed --tolerance 0 -o v.obj");
   const FaceMesh relaxed = mesh_in("v.obj");
   CHECK(check_mesh(relaxed).is_closed());
@@ -65,7 +68,7 @@ TEST_CASE_FIXTURE(Ball, "a relaxed surface is the same of a volume and of its st
   CHECK(read("stream.png") != read("merged.png"));
 }
 
-TEST_CASE_FIXTURE(Ball, "a stream with levels has the interpolated surface and its polygons") {
+TEST_CASE_FIXTURE(Ball, "a stream with levels gives the interpolated surface and the polygons") {
   done(extract + "--wire slices -o plain.dmc");
   done("decode plain.dmc -o plain.obj");
   done(extract + "--surface interpolated --tolerance 0 -o exact.obj");
@@ -86,7 +89,7 @@ TEST_CASE_FIXTURE(Ball, "a stream with levels has the interpolated surface and i
   done("render v.dmc --surface interpolated -o v.png");
 }
 
-TEST_CASE_FIXTURE(Ball, "a picture shows the kind of surface that is given") {
+TEST_CASE_FIXTURE(Ball, "render draws the kind of surface that --surface selects") {
   std::set<std::string> pictures;
   for (const std::string surface : {"merged", "interpolated", "relaxed"}) {
     done("render v.raw --dims 14,14,14 --type u8 --iso 50 --shade smooth --surface " + surface +
@@ -118,7 +121,7 @@ TEST_CASE_FIXTURE(Ball, "a mask of two values is reported as unsuitable to inter
   CHECK(!warns(extract + "--surface interpolated -o v.obj"));
 }
 
-TEST_CASE_FIXTURE(Ball, "the normals of an interpolated ball are its radii") {
+TEST_CASE_FIXTURE(Ball, "normals of an extracted interpolated ball are close to its radii") {
   for (const std::string normals : {"surface", "gradient"}) {
     done(extract + "--surface interpolated --normals " + normals + " -o v.obj");
     const FaceMesh mesh = mesh_in("v.obj");

@@ -69,7 +69,8 @@ TEST_CASE("an interpolated mesh is closed and faces outside for axes in either d
       }
 }
 
-TEST_CASE("triangles intersect only where the interpolated surface does") {
+TEST_CASE(
+    "triangles of an interpolated mesh intersect only where the exact surface intersects itself") {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Extracted of = extracted(plate(seed));
     const std::size_t own = crossing_pairs(interpolated(of, 0));
@@ -91,7 +92,7 @@ TEST_CASE("the mesh of a ball has its volume, with fewer triangles than Marching
   CHECK(mesh.face_count() < classic(field).face_count() / 2);
 }
 
-TEST_CASE("a slope is exact, from the triangles of its terraces") {
+TEST_CASE("the interpolated mesh of a linear slope is exact") {
   // Steps of whole samples, so that nothing is rounded.
   const Field field = field_of(
       {12, 10, 9}, [](double x, double y, double z) { return 45 + 2 * x - 2 * y + 8 * (4 - z); });
@@ -108,7 +109,7 @@ TEST_CASE("a slope is exact, from the triangles of its terraces") {
   CHECK(on_slope > 20);
 }
 
-TEST_CASE("vertices on the walls of the volume are not moved") {
+TEST_CASE("interpolation does not move vertices on the walls of the volume") {
   const Extracted of = extracted(ball(9, 6));
   const FileMesh mesh = interpolated(of, 0.05);
   std::size_t on_walls = 0;
@@ -126,7 +127,7 @@ TEST_CASE("vertices on the walls of the volume are not moved") {
   CHECK(on_walls > 20);
 }
 
-TEST_CASE("an open surface ends at the volume's border, and its sides match") {
+TEST_CASE("an open interpolated surface ends at the border of the volume") {
   const Field field = ball(12, 7);
   const FileMesh mesh =
       interpolated(extracted(field, SampleType::u8, {1, 1, 1}, Border::open), 0.02);

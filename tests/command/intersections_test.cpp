@@ -43,7 +43,7 @@ TEST_CASE("triangles that miss each other or are coplanar do not intersect") {
   CHECK_FALSE(goes_through_floor({5, 5, 0}, {6, 5, 0}, {5, 6, 0}));
 }
 
-TEST_CASE("shared edges and vertices are no intersections, but other contacts are") {
+TEST_CASE("shared edges and vertices of triangles are no intersections; other contacts are") {
   const std::vector<Point> vertices = {{0, 0, 0}, {4, 0, 0},  {0, 4, 0},  {4, 4, 1},
                                        {1, 1, 1}, {1, 1, -1}, {-1, -1, 1}};
   CHECK(intersections_of(triangles_of(vertices, {0, 1, 2, 2, 1, 3})).empty());
@@ -61,7 +61,9 @@ TEST_CASE("intersections do not depend on units or mirrored axes") {
   }
 }
 
-TEST_CASE("with some faces wanted, exactly the pairs with a wanted face are found, in order") {
+TEST_CASE(
+    "a search limited to some faces finds exactly the intersecting pairs with such a face, in "
+    "order") {
   Chance chance(3);
   constexpr std::uint32_t count = 300;
   std::vector<Point> vertices;
@@ -87,7 +89,7 @@ TEST_CASE("with some faces wanted, exactly the pairs with a wanted face are foun
   }
 }
 
-TEST_CASE("a box contains its triangle, as closely as its bounds allow") {
+TEST_CASE("a rounded bounding box contains its triangle as closely as its number format allows") {
   const Corners triangle = {{{0.1, -0.1, 1e9 + 1}, {0.7, -0.7, 1e-9}, {1.0 / 3, -1.0 / 3, 0}}};
   const Box box(triangle);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -100,7 +102,7 @@ TEST_CASE("a box contains its triangle, as closely as its bounds allow") {
   }
 }
 
-TEST_CASE("a tree finds each pair of overlapping boxes exactly once") {
+TEST_CASE("a bounding box tree finds each pair of overlapping boxes exactly once") {
   for (const std::size_t count : {0U, 1U, 4U, 5U, 100U, 700U}) {
     Chance chance(static_cast<std::uint32_t>(count) + 1);
     std::vector<Box> boxes;
@@ -126,7 +128,8 @@ TEST_CASE("a tree finds each pair of overlapping boxes exactly once") {
   }
 }
 
-TEST_CASE("successive boxes along the curve are neighbours, if they fill a cube") {
+TEST_CASE(
+    "successive boxes along the space-filling curve are neighbours if the boxes fill a cube") {
   std::vector<Box> boxes;
   const auto add = [&boxes](double x, double y, double z) {
     boxes.emplace_back(Corners{{{x, y, z}, {x, y, z}, {x, y, z}}});

@@ -26,7 +26,7 @@ std::unique_ptr<VolumeReader> bits_of(const std::vector<LabelSet>& sets) {
 
 }  // namespace
 
-TEST_CASE("a bit is on if the voxel has a label of the set in any layer") {
+TEST_CASE("a label set's bit is on if the voxel has a label of the set in any layer") {
   const auto volume = bits_of({{{0, {1}}},
                                {{0, {2, 3}}, {1, {-5}}},
                                {{1, {}}},
@@ -40,7 +40,7 @@ TEST_CASE("a bit is on if the voxel has a label of the set in any layer") {
                                                                2 + 4 + 32, 4 + 32});
 }
 
-TEST_CASE("the sample type has a bit for each set of labels") {
+TEST_CASE("the sample type of label bits has one bit per label set") {
   const std::pair<std::size_t, SampleType> types[] = {{8, SampleType::u8},
                                                       {9, SampleType::u16},
                                                       {17, SampleType::u32},
@@ -56,7 +56,7 @@ TEST_CASE("the sample type has a bit for each set of labels") {
   }
 }
 
-TEST_CASE("slices are skipped in every layer") {
+TEST_CASE("skipping a slice of label bits skips the slice in every layer") {
   const auto volume = bits_of({{{0, {3}}}, {{1, {2}}}});
   volume->skip_slice();
   std::vector<std::uint8_t> slice(4);

@@ -35,7 +35,7 @@ void check_refused(const LabelNames& of, const std::string& list, const std::str
 
 }  // namespace
 
-TEST_CASE("a list is of numbers and names, which may hold commas") {
+TEST_CASE("a list of labels accepts numbers and names, also names with commas") {
   CHECK(sets_of(names.each("2")) == std::vector<LabelSet>{{{0, {2}}}});
   CHECK(sets_of(names.each("7")) == std::vector<LabelSet>{{{0, {7}}}});
   CHECK(sets_of(names.each("liver,vein, portal,2,mask")) ==
@@ -45,12 +45,13 @@ TEST_CASE("a list is of numbers and names, which may hold commas") {
         std::vector<LabelSet>{{{0, {720575940621039145}}}, {{0, {-3}}}});
 }
 
-TEST_CASE("case and underscores of a name are ignored if the name stays unique") {
+TEST_CASE("label names match without regard to case and underscores if the match is unique") {
   CHECK(names.each("right lung")[0].name == "Right_Lung");
   CHECK(names.each("LIVER")[0].set == LabelSet{{0, {1}}});
 }
 
-TEST_CASE("one label has its own name and colour, several have those given") {
+TEST_CASE(
+    "a single label keeps its name and colour, and several labels together have the given name") {
   const NamedLabels liver = names.together("liver");
   CHECK(liver.name == "liver");
   CHECK(liver.colour == discmc::command::Srgb{1, 2, 3});
@@ -63,7 +64,7 @@ TEST_CASE("one label has its own name and colour, several have those given") {
   CHECK(masks.together("a,b").set == LabelSet{{0, {}}});
 }
 
-TEST_CASE("a value of several labels or of none is named by its number") {
+TEST_CASE("a value that several segments or none have is named by its number") {
   CHECK(names.named(0, 1).name == "liver");
   CHECK(names.named(0, 5).name == "5");
   CHECK(names.named(0, 2).name == "Right_Lung");

@@ -32,7 +32,7 @@ void check_label(const discmc::command::LabelDescription& label, const std::stri
 
 }  // namespace
 
-TEST_CASE("a table of 3D Slicer or FreeSurfer has a name, then a colour") {
+TEST_CASE("label tables of 3D Slicer and FreeSurfer are read with names before colours") {
   const Labels table = table_of(
       "# Color table file\n\n0 Background 0 0 0 0\n1 Liver 221 130 101 255\r\n"
       "  17\tLeft-Hippocampus   220 216  20   0\n-3 unpainted\n");
@@ -42,7 +42,7 @@ TEST_CASE("a table of 3D Slicer or FreeSurfer has a name, then a colour") {
   check_label(table.at(-3), "unpainted");
 }
 
-TEST_CASE("a table of ITK-SNAP has the name last, in quotes") {
+TEST_CASE("label tables of ITK-SNAP are read with the name last, in quotes") {
   const Labels table = table_of(
       "# ITK-SnAP Label Description File\n"
       "    0     0    0    0        0  0  0    \"Clear Label\"\n"
@@ -51,7 +51,7 @@ TEST_CASE("a table of ITK-SNAP has the name last, in quotes") {
   check_label(table.at(2), "Left ventricle", Srgb{0, 255, 0});
 }
 
-TEST_CASE("a colour may stand on either side of a name in quotes") {
+TEST_CASE("a colour may precede or follow a quoted name in a label table") {
   const Labels table = table_of("12 \"Uber a\" 10 20 30 255\n3 \"liver\" 255 0 0\n4 \"bone\"\n");
   check_label(table.at(12), "Uber a", Srgb{10, 20, 30});
   CHECK(table.at(3).colour == Srgb{255, 0, 0});
@@ -59,7 +59,7 @@ TEST_CASE("a colour may stand on either side of a name in quotes") {
   CHECK(table_of("3 \"liver\" 255 0 0 255").at(3).colour == Srgb{255, 0, 0});
 }
 
-TEST_CASE("a table of BIDS has columns in any order") {
+TEST_CASE("label tables of BIDS are read with columns in any order") {
   const Labels table = table_of(
       "name\tindex\tmapping\tcolor\nGray Matter\t1\t\t#ff53bB\nWhite "
       "Matter\t2\t7\nBone\t3\t\tn/a\n");
@@ -72,7 +72,7 @@ TEST_CASE("a table of BIDS has columns in any order") {
   CHECK(marked.at(7).name == "kidney");
 }
 
-TEST_CASE("a comma-separated table of 3D Slicer may have coded terms in place of names") {
+TEST_CASE("coded terms replace missing names in a comma-separated label table of 3D Slicer") {
   const Labels table = table_of(
       "LabelValue,Name,Color_R,Color_G,Color_B,Color_A,Type_CodeMeaning,TypeModifier_CodeMeaning\n"
       "1,left_kidney,185,102,83,255,Kidney,Left\r\n"
@@ -85,7 +85,7 @@ TEST_CASE("a comma-separated table of 3D Slicer may have coded terms in place of
   CHECK_FALSE(table.at(11).colour);
 }
 
-TEST_CASE("dataset.json of nnU-Net names labels in both of its forms") {
+TEST_CASE("dataset.json of nnU-Net names labels in its old and its new form") {
   const Labels table = table_of(
       R"({"channel_names": {"0": "CT"}, "labels": {"background": 0, "liver": 1, "kidney": [2, 3],
           "id": 720575940621039145}, "numTraining": 3})");
@@ -106,7 +106,7 @@ TEST_CASE("dataset.json of nnU-Net names labels in both of its forms") {
   check_no_table("{\"labels\": {\"liver\": [1, \"2\"]}}", "label 'liver' is");
 }
 
-TEST_CASE_FIXTURE(Folder, "a line that is no label is refused with its number") {
+TEST_CASE_FIXTURE(Folder, "an invalid line of a label table is refused with its line number") {
   check_no_table("1 bone\n\nskin 2\n", "line 3 is 'skin 2'");
   check_no_table("1\n", "line 1");
   check_no_table("1 2 3 4 5 6 7 \"open\n", "line 1");

@@ -61,13 +61,13 @@ TEST_CASE_FIXTURE(LabelVolume,
   CHECK(shell("LC_ALL=C ls out").out == "_...stl\n_.._.._bone.stl\n_tmp_bone.stl\n");
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "a table in Latin-1 names files in UTF-8") {
+TEST_CASE_FIXTURE(LabelVolume, "a label table in Latin-1 gives file names in UTF-8") {
   write("table.txt", "1 \xc6rea 1 2 3\n");
   done(extract + "--label \xc3\x86rea --label-table table.txt -q -o '{name}.stl'");
   CHECK(shell("ls").out.find("\xc3\x86rea.stl") != std::string::npos);
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "a table that names no label of the volume is reported") {
+TEST_CASE_FIXTURE(LabelVolume, "a label table that names no label of the volume is reported") {
   write("table.txt", "77 bone 1 2 3\n");
   check_parts(run(extract + "--labels all --label-table table.txt -q -o '{name}.stl'"), 0,
               {"no label of the volume has a name in --label-table"});
@@ -75,7 +75,7 @@ TEST_CASE_FIXTURE(LabelVolume, "a table that names no label of the volume is rep
         {"--labels has 0, which is the background", "--label 0 for its surface"});
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "a table names the meshes of labels") {
+TEST_CASE_FIXTURE(LabelVolume, "a label table names the meshes of labels") {
   write("table.txt", "0 Background 0 0 0\n1 bone 1 2 3\n2 skin 4 5 6\n9 bone 7 8 9\n");
   done(extract + "--labels all --label-table table.txt -o '{name}.ply'");
   done(extract + "--label 9 --label 7 --allow-empty --label-table table.txt -o 'one-{name}.ply'");
@@ -86,7 +86,7 @@ TEST_CASE_FIXTURE(LabelVolume, "a table names the meshes of labels") {
 }
 
 TEST_CASE_FIXTURE(LabelVolume,
-                  "OBJ has the colour of a label in a material file, and VTP in itself") {
+                  "OBJ has a label's colour in a material file, and VTP in the mesh file") {
   write("table.txt", "1 bone 51 102 255\n");
   const std::string label = extract + "--labels 1 --label-table table.txt ";
   done(label + "-o 'my {name}.obj'");
@@ -172,7 +172,9 @@ TEST_CASE_FIXTURE(Workshop, "overlapping segments of 3D Slicer are read from all
   CHECK(read("f-Bone.ply").empty());
 }
 
-TEST_CASE_FIXTURE(Workshop, "layers are listed, and refused if one is not enough") {
+TEST_CASE_FIXTURE(
+    Workshop,
+    "segmentation layers are listed, and refused if one layer does not hold all requested labels") {
   write("layers.seg.nrrd", layered());
   const std::string info = done("info layers.seg.nrrd");
   for (const char* line : {"frames 2", "label 1 layer 0 Bone", "label 1 layer 1 Skin",
@@ -196,7 +198,8 @@ TEST_CASE_FIXTURE(Workshop, "layers are listed, and refused if one is not enough
   fails("extract share.seg.nrrd --labels all -o w.glb", 1, {"the file holds 2 volumes"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "an old segmentation without label values has a layer per segment") {
+TEST_CASE_FIXTURE(Workshop,
+                  "a 3D Slicer segmentation without label values has a layer per segment") {
   std::string old = layered();
   for (const char* key : {"Segment0_Layer:=0\n", "Segment1_Layer:=1\n", "Segment0_LabelValue:=1\n",
                           "Segment1_LabelValue:=1\n"})
@@ -208,7 +211,7 @@ TEST_CASE_FIXTURE(Workshop, "an old segmentation without label values has a laye
   CHECK(read("old.jsonl") == read("v.jsonl"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a label that several segments share has no name") {
+TEST_CASE_FIXTURE(Workshop, "a label value that several segments share has no name") {
   write("one.seg.nrrd",
         "NRRD0005\ntype: uchar\nencoding: raw\ndimension: 3\nsizes: 4 2 3\n"
         "Segment0_Name:=Bone\nSegment0_LabelValue:=1\nSegment1_Name:=Skin\n"
@@ -309,7 +312,8 @@ TEST_CASE_FIXTURE(
   fails("extract seg --label 1 -o v.glb", 1, {"no label has the number 1"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "masks of other scans and label maps are refused among masks") {
+TEST_CASE_FIXTURE(Workshop,
+                  "masks of other scans, and label maps, are refused in a folder of masks") {
   const auto nifti = [] { return volume_files::Nifti().dims({3, 4, 2, 3}); };
   write("seg/a.nii", nifti().file(second_layer));
   const auto refused = [&](const std::string& file, const std::string& part) {
@@ -326,7 +330,8 @@ TEST_CASE_FIXTURE(Workshop, "masks of other scans and label maps are refused amo
   CHECK(contains(done("extract seg --labels all -o v.glb"), "  9\n"));
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "a requested label that is missing is a failure") {
+TEST_CASE_FIXTURE(LabelVolume,
+                  "a missing label in --labels fails the command, unless --allow-empty is given") {
   write("table.json", R"({"labels": {"background": 0, "bone": 1, "skin": [2, 9]}})");
   done(extract + "--labels 9,1 -q -o 'some-{name}.stl'");
   done(extract + "--labels all -q -o '{name}.stl'");
@@ -369,7 +374,8 @@ TEST_CASE_FIXTURE(Workshop, "floating-point labels are rounded, with a note") {
 }
 
 TEST_CASE_FIXTURE(
-    Workshop, "labels of 64 bits are exact, and refused as thresholds that double cannot hold") {
+    Workshop,
+    "64-bit labels are exact; as thresholds, values that double cannot represent are refused") {
   std::string samples;
   for (const char label : volume)
     samples += volume_files::bytes_of(
@@ -436,7 +442,9 @@ TEST_CASE_FIXTURE(LabelVolume, "GLB and 3MF hold all meshes with names and colou
     fails(extract + "--label 2 --label 9 -o " + file, 2, {"--output", "{name}", ".glb or .3mf"});
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "a label without a surface is named, and has no file") {
+TEST_CASE_FIXTURE(
+    LabelVolume,
+    "a label without a surface is reported by name, and no file is written for the label") {
   for (const std::string cleaning : {"--median 3", "--min-volume 4"}) {
     INFO(cleaning);
     const auto result = run(extract + "--labels all " + cleaning + " -q -o '{name}.stl'");
@@ -448,7 +456,8 @@ TEST_CASE_FIXTURE(LabelVolume, "a label without a surface is named, and has no f
   CHECK_FALSE(read("9.stl").empty());
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "a file of several meshes omits objects without triangles") {
+TEST_CASE_FIXTURE(LabelVolume,
+                  "GLB and 3MF files of several labels omit labels without triangles") {
   for (const std::string file : {"all.glb", "all.3mf"}) {
     INFO(file);
     done(extract + "--labels all --min-volume 1 --allow-empty -q -o " + file);
@@ -492,7 +501,8 @@ TEST_CASE_FIXTURE(LabelVolume,
   }
 }
 
-TEST_CASE_FIXTURE(LabelVolume, "labels that cannot be written are refused before any work") {
+TEST_CASE_FIXTURE(LabelVolume,
+                  "labels that the output cannot represent are refused before any work") {
   write("table.txt", "no table\n");
   write("nothing.raw", std::string(24, '\0'));
   write("half.raw", std::string(96, '\x3f'));  // 0.747...
@@ -522,7 +532,8 @@ TEST_CASE_FIXTURE(LabelVolume, "labels that cannot be written are refused before
         {"half.raw", "slice 0", "whole numbers"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "a label without a colour gets its own, the same in every file") {
+TEST_CASE_FIXTURE(Workshop,
+                  "a label without a colour gets a distinct default colour, equal in every file") {
   std::set<Srgb> colours;
   for (int number = 1; number <= 21; ++number) colours.insert(label_colour(number));
   CHECK(colours.size() == 21);

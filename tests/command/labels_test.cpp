@@ -55,7 +55,7 @@ std::vector<LabelledSurface> extracted(const std::vector<int>& samples, Size ext
 
 }  // namespace
 
-TEST_CASE("the surface of every label is that of a scan for it alone") {
+TEST_CASE("the surface of every label equals the surface extracted for that label alone") {
   for (const Border border : {Border::closed, Border::open})
     for (const bool filters_by_majority : {false, true})
       for (std::uint32_t seed = 0; seed < 20; ++seed) {
@@ -75,7 +75,7 @@ TEST_CASE("the surface of every label is that of a scan for it alone") {
       }
 }
 
-TEST_CASE("voxels are counted, and 0 is the background") {
+TEST_CASE("label extraction counts voxels per label and treats 0 as background") {
   const auto labels = extracted({0, 7, 7, 0, 7, 0, 0, -4}, {2, 2, 2});
   REQUIRE(labels.size() == 2);
   CHECK(labels[0].label == LabelValue(-4));
@@ -85,7 +85,8 @@ TEST_CASE("voxels are counted, and 0 is the background") {
   CHECK(extracted({0, 0}, {2, 1, 1}).empty());
 }
 
-TEST_CASE("a few labels can be chosen among more scattered ones than the limit") {
+TEST_CASE(
+    "a few chosen labels are extracted from a volume with more scattered labels than the limit") {
   std::vector<int> samples;
   for (int i = 0; i < 4 * static_cast<int>(max_scattered_labels); ++i) samples.push_back(i);
   LabelOptions options;
@@ -99,7 +100,7 @@ TEST_CASE("a few labels can be chosen among more scattered ones than the limit")
   CHECK(extracted({1, 2}, {2, 1, 1}, options).empty());
 }
 
-TEST_CASE("progress is reported after every slice") {
+TEST_CASE("label extraction reports progress after every slice") {
   SampleReader reader(size, labels(0));
   std::vector<std::uint32_t> progress;
   extract_labels(reader, {Border::closed, false, {}, [&](std::uint32_t slices) {
@@ -109,7 +110,7 @@ TEST_CASE("progress is reported after every slice") {
   CHECK(progress.back() == size.depth);
 }
 
-TEST_CASE("any number of contiguous labels is extracted") {
+TEST_CASE("label extraction accepts any number of contiguous labels") {
   std::vector<int> samples;
   for (std::uint32_t i = 0; i < 4 * (max_scattered_labels + 500); ++i)
     samples.push_back(static_cast<int>(1 + i / 4));
@@ -117,7 +118,7 @@ TEST_CASE("any number of contiguous labels is extracted") {
         max_scattered_labels + 500);
 }
 
-TEST_CASE("more values in a slice than a segmentation has are refused") {
+TEST_CASE("a slice with more distinct values than any segmentation has is refused") {
   std::vector<int> samples(max_scattered_labels + 2);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i);
   CHECK_THROWS_WITH_AS(extracted(samples, {max_scattered_labels + 2, 1, 1}),

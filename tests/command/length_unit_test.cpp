@@ -5,7 +5,7 @@
 
 using discmc::command::millimetres_in;
 
-TEST_CASE("every spelling of a unit has the same millimetres") {
+TEST_CASE("every spelling of a length unit gives the same number of millimetres") {
   const std::vector<std::pair<double, std::vector<std::string>>> units = {
       {1000, {"m", "M", "metre", "meters", "Metres"}},
       {100, {"dm", "decimeter"}},
@@ -26,7 +26,7 @@ TEST_CASE("every spelling of a unit has the same millimetres") {
     }
 }
 
-TEST_CASE("names that are no unit of length have no millimetres") {
+TEST_CASE("names that are no length unit are rejected") {
   for (const std::string name : {"", "pixel", "s", "mms", "meter per second", "ms", "mi", "meter2"})
     CHECK_FALSE(millimetres_in(name));
 }

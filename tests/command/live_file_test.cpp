@@ -36,7 +36,7 @@ class Gone : public std::streambuf {
   int sync() override { return -1; }
 };
 
-TEST_CASE("every reader of a pipe receives all bytes, however late") {
+TEST_CASE("every reader of a live file receives all bytes of the pipe, however late") {
   Pipe pipe;
   LiveFile live(pipe.path());  // there is no writer yet
   std::ostringstream early, late;
@@ -54,7 +54,7 @@ TEST_CASE("every reader of a pipe receives all bytes, however late") {
   CHECK(late.str() == early.str());
 }
 
-TEST_CASE("serving stops when its reader closes, before the pipe ends") {
+TEST_CASE("serving a live file stops when the reader closes, before the pipe ends") {
   Pipe pipe;
   LiveFile live(pipe.path());
   pipe.open();
@@ -65,7 +65,7 @@ TEST_CASE("serving stops when its reader closes, before the pipe ends") {
   CHECK_THROWS_AS(live.copy_to(out), std::ios_base::failure);
 }
 
-TEST_CASE("a file that cannot be opened is refused by name") {
+TEST_CASE("a live file that cannot be opened is refused by name") {
   CHECK_THROWS_WITH(LiveFile("missing/pipe"),
                     doctest::Contains("missing/pipe: there is no such file; check the name"));
 }

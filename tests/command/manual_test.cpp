@@ -72,7 +72,7 @@ TEST_CASE("the manual contains values, defaults, examples and exit codes") {
   }
 }
 
-TEST_CASE("text of the command line is escaped for troff") {
+TEST_CASE("texts of the command line are escaped for troff in the manual") {
   const auto line = [](const std::string& description) {
     discmc::command::CommandOutline program{"it", description, {}, {}, {}, "", ""};
     program.groups = {{"Options", {{{"-o"}, "", {}, description, false, false}}}};
@@ -90,7 +90,7 @@ TEST_CASE("text of the command line is escaped for troff") {
   CHECK(line("--iso") == "\\-\\-iso");
 }
 
-TEST_CASE_FIXTURE(Workshop, "programs that show manuals accept the page without a warning") {
+TEST_CASE_FIXTURE(Workshop, "man and mandoc accept the manual page without a warning") {
   if (has_program("man")) {
     const Result shown = shell("\"$discmc\" manual | man -l --warnings -");
     CHECK(shown.code == 0);

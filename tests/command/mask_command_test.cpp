@@ -43,7 +43,7 @@ struct Masked : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Masked, "--labels all with a mask writes the meshes of each --label") {
+TEST_CASE_FIXTURE(Masked, "--labels all with --mask writes the same meshes as each --label") {
   for (char& sample : samples) sample = static_cast<char>(sample & 3);
   write("v.nrrd", nrrd_of(samples));
   done("extract v.nrrd --labels all --mask m.nrrd -o 'all-{name}.stl'");
@@ -73,7 +73,7 @@ TEST_CASE_FIXTURE(Masked, "--labels all with a mask writes the meshes of each --
   CHECK(shell("ls 255-*").out == "255--1.stl\n255--2.stl\n255--3.stl\n");
 }
 
-TEST_CASE_FIXTURE(Masked, "voxels outside the mask are off for any selection") {
+TEST_CASE_FIXTURE(Masked, "voxels outside --mask are off for any selection") {
   write("least.raw", with_value(0));
   write("most.raw", with_value(255));
   const auto same = [&](const std::string& options, const std::string& other) {
@@ -91,7 +91,7 @@ TEST_CASE_FIXTURE(Masked, "voxels outside the mask are off for any selection") {
   same("--iso 100 --crop 2..,2..,2.. --shrink 2", "least.raw");
 }
 
-TEST_CASE_FIXTURE(Masked, "a mask applies to streams of both kinds and to pictures") {
+TEST_CASE_FIXTURE(Masked, "--mask applies to streams of regions, streams of slices and pictures") {
   write("least.raw", with_value(0));
   const std::string with_mask = "v.raw --mask m.nrrd --iso 100 ", without = "least.raw --iso 100 ";
   for (const std::string wire : {"regions", "slices"}) {
@@ -121,7 +121,9 @@ TEST_CASE_FIXTURE(Workshop, "--median does not turn on voxels outside the mask")
   CHECK(lines("--mask m.nrrd") == lines("") + of_voxel);
 }
 
-TEST_CASE_FIXTURE(Workshop, "a mask cuts an interpolated surface flat, and changes nothing else") {
+TEST_CASE_FIXTURE(
+    Workshop,
+    "a mask cuts an interpolated surface flat and leaves the remaining surface unchanged") {
   std::string samples, mask;
   for (const int sample : sampled_field::ball(14, 5.3).samples)
     samples += static_cast<char>(sample);
@@ -236,7 +238,7 @@ TEST_CASE_FIXTURE(Masked, "a mask with other directions of axes than the volume 
   while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST_CASE_FIXTURE(Masked, "a mask that is turned and lies elsewhere is refused") {
+TEST_CASE_FIXTURE(Masked, "a mask with other directions of axes and another position is refused") {
   write("v.nii", nifti_at(axes, origin, {9, 8, 7}, samples));
   write("flipped.nii", turned(mask, {0, 1, 2}, 1, 0.5));
   fails("extract v.nii --iso 100 --mask flipped.nii -o v.stl", 1,

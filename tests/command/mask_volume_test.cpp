@@ -29,7 +29,7 @@ double offset(const std::string& lines_of_mask, const std::string& lines_of_volu
 
 }  // namespace
 
-TEST_CASE("a mask selects values that are numbers other than 0") {
+TEST_CASE("a mask selects voxels whose values are numbers other than 0") {
   std::vector<double> all_but_first(60, 1);
   all_but_first[0] = 0;
   CHECK(mask_of(Nifti().file(u8)) == all_but_first);
@@ -53,7 +53,8 @@ TEST_CASE_FIXTURE(Folder, "a mask of several volumes is refused for any frame of
                     doctest::Contains("the mask holds 2 volumes; store the mask in a file"));
 }
 
-TEST_CASE("a mask is cropped like its volume, and shrinks by the majority of a block") {
+TEST_CASE(
+    "--crop and --shrink apply to the mask, and a shrunk mask has the majority of each block") {
   // All labels differ. 0 is the most frequent in the second block, but most of the block is on.
   std::string labels = stored(SampleType::u8);
   for (const std::size_t off : {1U, 2U, 3U, 8U}) labels[off] = '\0';
@@ -83,7 +84,7 @@ TEST_CASE_FIXTURE(Folder, "a mask must have the extents of the whole volume, eve
   }
 }
 
-TEST_CASE("a displaced mask is detected if both files have a placement") {
+TEST_CASE("a displaced mask is detected if volume and mask have a placement") {
   const std::string directions = "space directions: (1,0,0) (0,2,0) (0,0,3)\n";
   const std::string lps = "space: LPS\n" + directions + "space origin: (10,20,30)\n";
   CHECK(offset(lps, lps) == 0);
@@ -101,7 +102,7 @@ TEST_CASE("a displaced mask is detected if both files have a placement") {
   CHECK(offset("spacings: 1 2 4\n", "spacings: 1 2 3\n") == 3);
 }
 
-TEST_CASE_FIXTURE(Folder, "a given spacing applies to the mask, too") {
+TEST_CASE_FIXTURE(Folder, "--spacing applies to the mask as well as to the volume") {
   const auto file = write("m.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   VolumeOptions options;
   options.spacing_mm = {0.5, 2, 3};
@@ -109,7 +110,7 @@ TEST_CASE_FIXTURE(Folder, "a given spacing applies to the mask, too") {
   CHECK(offset_mm(open_mask(file, options, volume)->info(), volume) == 0);
 }
 
-TEST_CASE_FIXTURE(Folder, "named axes apply to a mask that has no axes of its own") {
+TEST_CASE_FIXTURE(Folder, "--axes applies to a mask whose file names no axes") {
   const std::string header =
       std::string("\x93NUMPY\1\0\x4a\0", 10) +
       "{'descr': '|u1', 'fortran_order': False, 'shape': (5, 3, 4), }           \n";

@@ -26,7 +26,7 @@ constexpr Point spacing = {0.5, 1, 2};
 
 }  // namespace
 
-TEST_CASE("bodies and cavities are counted, and the volume is that of the components") {
+TEST_CASE("mesh measures count bodies and cavities, and sum the components' volumes") {
   const FileMesh mesh = merged_mesh(two_blocks(), Faces::triangles, spacing);
   const Measures measures = measures_of(mesh);
   REQUIRE(measures.enclosed);
@@ -39,7 +39,7 @@ TEST_CASE("bodies and cavities are counted, and the volume is that of the compon
   CHECK(measures.enclosed->volume_mm3 == doctest::Approx(volume).epsilon(1e-12));
 }
 
-TEST_CASE("a single voxel is an octahedron, whose measures are known") {
+TEST_CASE("the measures of a single voxel are those of an octahedron") {
   BitVolume one({5, 5, 5});
   put_box(one, {2, 1, 3}, {2, 1, 3}, 1);
   const Measures measures = measures_of(merged_mesh(one, Faces::triangles));
@@ -52,7 +52,7 @@ TEST_CASE("a single voxel is an octahedron, whose measures are known") {
     CHECK(measures.enclosed->centre_mm[axis] == doctest::Approx(Point{2, 1, 3}[axis]));
 }
 
-TEST_CASE("a mesh that is not closed encloses nothing, and an empty one has no extent") {
+TEST_CASE("an open mesh has no enclosed volume, and an empty mesh has no extent") {
   FileMesh mesh = merged_mesh(two_blocks(), Faces::triangles);
   mesh.corners.resize(mesh.corners.size() - 3);
   mesh.face_begin.pop_back();

@@ -82,12 +82,12 @@ TEST_CASE("an OBJ file reads back exactly") {
   check_same_faces(read, scaled);
 }
 
-TEST_CASE("a PLY file reads back, its corners counted by a byte") {
+TEST_CASE("a PLY file reads back exactly, with a byte as the count of corners") {
   check_ply(build_mesh(box_with_hole({0.3, 0.3, -1.5})));
   check_ply(build_mesh(saw(255)));
 }
 
-TEST_CASE("a mesh that is written in parts has the bytes, faces and edges of the whole") {
+TEST_CASE("a mesh written in parts has the same bytes, faces and edges as written whole") {
   const VolumePlacement mirroring{
       discmc::Space::ras, {10, -20, 30}, {{{0, 0.3, 0}, {0.3, 0.1, 0}, {0, 0, 1.5}}}};
   Surface surface = box_with_hole({0.3, 0.3, -1.5});
@@ -190,7 +190,7 @@ TEST_CASE("meshes of one GLB file keep positions far from each other") {
   CHECK(last[1] == doctest::Approx(far.vertices_mm.back()[1]).epsilon(1e-12));
 }
 
-TEST_CASE("floats suit a mesh if their steps are small against its voxels") {
+TEST_CASE("32-bit float coordinates suffice if their steps are small against the voxels") {
   FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   mesh.spacing_mm = {-1, 2, 3};
   for (const float distance : {1.0F, 1000.0F, 32767.9F, 32768.0F, 1e6F}) {
@@ -208,7 +208,7 @@ TEST_CASE("floats suit a mesh if their steps are small against its voxels") {
   CHECK(count_float_places(nothing) == 0);
 }
 
-TEST_CASE("formats without polygons refuse anything but triangles") {
+TEST_CASE("mesh formats without polygons refuse faces other than triangles") {
   for (const Format format : mesh_formats) {
     if (traits_of(format).holds_polygons) continue;
     std::ostringstream out;
@@ -220,7 +220,7 @@ TEST_CASE("formats without polygons refuse anything but triangles") {
     CHECK_THROWS_AS(write_mesh(build_mesh(octahedron()), format, out), std::invalid_argument);
 }
 
-TEST_CASE("a vertex without a normal has a default one in GLB") {
+TEST_CASE("a vertex without a normal gets a default normal in GLB") {
   FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   mesh.normals.assign(mesh.vertices_mm.size(), {1, 0, 0});
   mesh.normals[3] = {};
@@ -232,7 +232,7 @@ TEST_CASE("a vertex without a normal has a default one in GLB") {
     CHECK(read.normals[i][i == 3 ? 2 : 0] == doctest::Approx(1));
 }
 
-TEST_CASE("the colour of a mesh is kept by the formats that have one") {
+TEST_CASE("mesh formats with colours keep the colour of a mesh") {
   FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   for (const std::string name : {"v.glb", "v.3mf", "v.ply", "v.vtp"}) {
     INFO(name);
@@ -247,7 +247,7 @@ TEST_CASE("the colour of a mesh is kept by the formats that have one") {
   }
 }
 
-TEST_CASE("a mesh is written in the given size and unit, and names them") {
+TEST_CASE("mesh files have coordinates in the given scale and unit, and name the unit") {
   const FileMesh mesh = build_mesh(octahedron({1, 2, 3}), {true, Faces::triangles});
   struct Expected {
     MeshSize size;
@@ -272,7 +272,7 @@ TEST_CASE("a mesh is written in the given size and unit, and names them") {
     }
 }
 
-TEST_CASE("base64 is that of RFC 4648, for bytes in any portions") {
+TEST_CASE("base64 output conforms to RFC 4648 for bytes in portions of any size") {
   const std::pair<const char*, const char*> vectors[] = {{"", ""},
                                                          {"f", "Zg=="},
                                                          {"fo", "Zm8="},
@@ -295,7 +295,7 @@ TEST_CASE("base64 is that of RFC 4648, for bytes in any portions") {
     }
 }
 
-TEST_CASE("every writer reports a stream that fails, early or late") {
+TEST_CASE("every mesh writer reports an output stream that fails, early or late") {
   const Surface surface = pitted_block({{0, 0}, {2, 2}});
   const FileMesh mesh = build_mesh(surface, {true, Faces::triangles});
   for (const std::streamsize room : {0, 1, 300}) {
@@ -313,7 +313,7 @@ TEST_CASE("every writer reports a stream that fails, early or late") {
   }
 }
 
-TEST_CASE("names of any bytes are valid text in JSON and XML") {
+TEST_CASE("names of any bytes are written as valid text in JSON and XML") {
   CHECK(json_string("a\"b\\c\n\x7F") == "\"a\\\"b\\\\c\\u000a\\u007f\"");
   CHECK(xml_attribute("<a & \"b\">\t") == "&lt;a &amp; &quot;b&quot;&gt;\xEF\xBF\xBD");
   const std::string whole = "\xC3\xA4 \xE2\x82\xAC \xF0\x9D\x84\x9E";
@@ -331,7 +331,7 @@ TEST_CASE("names of any bytes are valid text in JSON and XML") {
   }
 }
 
-TEST_CASE("a file larger than the writer's buffer arrives whole") {
+TEST_CASE("a mesh file larger than the writer's buffer is written completely") {
   Surface surface{{2, 2, 2}, {}};
   for (int z = 0; z < 6000; z += 2)
     surface.polygons.append(polygon({1, 1, 1}, {{{1, 0, z}, {0, 1, z}, {0, 0, z + 1}}}));

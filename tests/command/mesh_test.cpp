@@ -63,7 +63,7 @@ bool is_vertex(const FaceMesh& mesh, const Point& point) {
 
 }  // namespace
 
-TEST_CASE("a single voxel is an octahedron of half its spacing") {
+TEST_CASE("the mesh of a single voxel is an octahedron with vertices at half the spacing") {
   const Surface surface = octahedron({1, 2, 3});
   CHECK(hand_made::six_volumes(surface) == 8);
   for (const Faces faces : both_kinds) {
@@ -80,7 +80,7 @@ TEST_CASE("a single voxel is an octahedron of half its spacing") {
   check_closed_and_exact(octahedron());
 }
 
-TEST_CASE("polygons with holes are triangulated, the others stay whole") {
+TEST_CASE("polygons with holes are triangulated, and polygons without holes stay whole") {
   const Surface surface = box_with_hole();
   CHECK(hand_made::six_volumes(surface) == 6 * (8 * 8 * 8 - 4 * 4 * 8));
   check_closed_and_exact(surface);
@@ -106,7 +106,7 @@ TEST_CASE("a polygon with more than 255 corners is triangulated, and one with 25
   CHECK(check_mesh(cut).open_edges == 257);
 }
 
-TEST_CASE("faces look outside for axes in either direction") {
+TEST_CASE("faces of a mesh look outside for axes in either direction") {
   for (const double x : {1.0, -1.0})
     for (const double y : {2.0, -2.0})
       for (const double z : {0.7, -0.7})
@@ -125,7 +125,7 @@ TEST_CASE("faces look outside for axes in either direction") {
         }
 }
 
-TEST_CASE("any choice of touching holes gives a closed mesh of the same volume") {
+TEST_CASE("polygons with any choice of touching holes give a closed mesh that keeps the volume") {
   std::minstd_rand random(1);
   for (int round = 0; round < 100; ++round) {
     std::vector<Pit> pits;
@@ -153,7 +153,7 @@ TEST_CASE("a conforming mesh has a vertex where a side of another polygon ends")
   CHECK(build_mesh(surface, {false, Faces::polygons}).face_size(0) == 4);
 }
 
-TEST_CASE("a conforming mesh is closed also where a polygon was cut in two") {
+TEST_CASE("a conforming mesh is closed even if a side of the surface is cut into two polygons") {
   Surface surface = leaning_wall();
   surface.polygons = only(surface.polygons, {0, 1, 2, 3, 4, 6, 7});
   surface.polygons.append(polygon({0, 1, 0}, {{{1, 8, 0}, {5, 8, 0}, {5, 8, 4}, {1, 8, 4}}}));
@@ -161,14 +161,15 @@ TEST_CASE("a conforming mesh is closed also where a polygon was cut in two") {
   check_closed_and_exact(surface);
 }
 
-TEST_CASE("without conforming a hole may touch the inside of a straight side") {
+TEST_CASE(
+    "in a mesh that is not conforming, a hole may touch a straight side between its corners") {
   const Surface surface = pitted_block({{0, 0}, {1, 0}, {1, 1}});
   const FaceMesh mesh = build_mesh(surface, {false, Faces::triangles});
   CHECK(check_mesh(mesh).degenerate_faces == 0);
   CHECK(six_volumes(mesh) == static_cast<double>(hand_made::six_volumes(surface)));
 }
 
-TEST_CASE("invalid polygons are skipped, and valid ones are kept") {
+TEST_CASE("building a mesh skips invalid polygons and keeps valid ones") {
   const Surface whole = box_with_hole();
   CHECK(build_mesh(whole, {true, Faces::triangles}).left_out.empty());
   // change(rings): modifies the polygon.
@@ -207,7 +208,7 @@ TEST_CASE("a surface without polygons is an empty closed mesh") {
   CHECK(is_closed(mesh));
 }
 
-TEST_CASE("far coordinates neither wrap nor lose a half-step") {
+TEST_CASE("mesh vertices at large coordinates neither overflow nor lose a half-step") {
   Surface surface = box_with_hole();
   const std::int32_t far = 2000000000;
   surface.polygons = changed(surface.polygons, [](std::size_t, auto& rings) {
@@ -219,7 +220,7 @@ TEST_CASE("far coordinates neither wrap nor lose a half-step") {
   CHECK(is_vertex(mesh, {1, 0, 2000000008.0}));
 }
 
-TEST_CASE("the report counts each kind of damage") {
+TEST_CASE("the mesh report counts each kind of defect") {
   const FaceMesh whole = build_mesh(octahedron());
   REQUIRE(check_mesh(whole).is_closed());
   CHECK(is_closed(whole));

@@ -20,7 +20,7 @@ std::string mgh(std::int32_t type, const std::string& samples, const std::vector
 // Sagittal, like FreeSurfer's conformed volumes, but with another centre.
 const std::vector<float> conformed = {0.5F, 0.7F, 2, -1, 0, 0, 0, 0, -1, 0, 1, 0, 10, 20, 30};
 
-TEST_CASE_FIXTURE(Folder, "the header places the centre between the middle voxels") {
+TEST_CASE_FIXTURE(Folder, "the MGH header places the centre between the middle voxels") {
   const auto file = write("a.mgh", mgh(0, u8, conformed));
   check_volume(file, "MGH");
   const VolumeInfo info = read_info(file);
@@ -31,21 +31,23 @@ TEST_CASE_FIXTURE(Folder, "the header places the centre between the middle voxel
   CHECK(info.notes.empty());
 }
 
-TEST_CASE_FIXTURE(Folder, "the default place of FreeSurfer replaces a missing one, with a note") {
+TEST_CASE_FIXTURE(
+    Folder, "an MGH file without a placement gets FreeSurfer's default placement, with a note") {
   const VolumeInfo info = read_info(write("a.mgh", mgh(0, u8, {})));
   CHECK(noted(info, "no directions given, coronal slices of 1 mm assumed"));
   check_axes(info, {{{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}}, {2.5, -2, 1.5});
 }
 
 // container_table_test reads the types that nibabel writes.
-TEST_CASE_FIXTURE(Folder, "samples of u16 are read, and another type is refused") {
+TEST_CASE_FIXTURE(Folder, "MGH samples of u16 are read, and an unsupported type is refused") {
   check_volume(write("a.mgh", mgh(10, stored(SampleType::u16, true), conformed)), SampleType::u16,
                "MGH");
   check_refused(write("a.mgh", mgh(2, stored(SampleType::i64, true), conformed)),
                 "type 2 are not supported; convert it, e.g. with: mri_convert -odt float");
 }
 
-TEST_CASE_FIXTURE(Folder, "a frame is chosen, and bytes behind the samples leave no note") {
+TEST_CASE_FIXTURE(Folder,
+                  "a frame of MGH is chosen, and metadata behind the samples leaves no note") {
   const std::string first(60, '\0');
   const std::string tags = "TR and commands";
   const auto file = write("a.mgz", gzip(mgh(0, first + u8 + tags, conformed, 2)));
@@ -57,7 +59,8 @@ TEST_CASE_FIXTURE(Folder, "a frame is chosen, and bytes behind the samples leave
   CHECK(reader->notes().empty());
 }
 
-TEST_CASE_FIXTURE(Folder, "another version, a short header and missing samples are refused") {
+TEST_CASE_FIXTURE(Folder,
+                  "MGH files with another version, a short header or missing samples are refused") {
   const std::string samples = stored(SampleType::u8);
   check_refused(write("a.mgh", mgh(0, samples, conformed, 1, 2)), "version 2");
   check_refused(write("a.mgh", mgh(0, samples, conformed).substr(0, 283)),

@@ -56,7 +56,9 @@ TEST_CASE_FIXTURE(
   check_refused(write("a.mrc", Map().mode(101).file(i8)), "newstack -mode 2");
 }
 
-TEST_CASE_FIXTURE(Folder, "small numbers determine the byte order of files without a stamp") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "MRC files without a machine stamp have the byte order that makes header numbers small") {
   for (const bool is_big_endian : {false, true})
     for (const std::int32_t mode : {0, 1}) {
       const SampleType type = mode == 0 ? SampleType::i8 : SampleType::i16;
@@ -65,14 +67,15 @@ TEST_CASE_FIXTURE(Folder, "small numbers determine the byte order of files witho
     }
 }
 
-TEST_CASE_FIXTURE(Folder, "bytes of IMOD without its flag have no sign, with a note") {
+TEST_CASE_FIXTURE(
+    Folder, "bytes of IMOD's MRC files without the sign flag are read as unsigned, with a note") {
   const auto file = write("a.mrc", Map().numbers(152, {1146047817, 0}).file(u8));
   check_volume(file, "MRC");
   CHECK(noted(read_info(file), "bytes are read as u8, as IMOD wrote them"));
   check_volume(write("b.mrc", Map().numbers(152, {1146047817, 1}).file(i8)), SampleType::i8, "MRC");
 }
 
-TEST_CASE_FIXTURE(Folder, "the cell gives the spacing, with angstroms written as millimetres") {
+TEST_CASE_FIXTURE(Folder, "the MRC cell gives the spacing, with angstroms written as millimetres") {
   const VolumeInfo info = read_info(write("a.mrc", Map().file(i8)));
   CHECK(info.spacing_mm == Spacing{2, 2, 2});
   CHECK(noted(info, "1 angstrom is written as 1 mm"));
@@ -83,7 +86,8 @@ TEST_CASE_FIXTURE(Folder, "the cell gives the spacing, with angstroms written as
   CHECK(noted(none, "no spacing given, 1 mm assumed"));
 }
 
-TEST_CASE_FIXTURE(Folder, "the origin is the header's, or the first column, row and section") {
+TEST_CASE_FIXTURE(Folder,
+                  "the MRC origin is that of the header, or the first column, row and section") {
   const VolumeInfo with_origin =
       read_info(write("a.mrc", Map().reals(196, {7, 8, 9}).numbers(16, {1, 1, 1}).file(i8)));
   check_origin(with_origin, {7, 8, 9});
@@ -91,7 +95,7 @@ TEST_CASE_FIXTURE(Folder, "the origin is the header's, or the first column, row 
   check_origin(steps, {-6, 8, 10});
 }
 
-TEST_CASE_FIXTURE(Folder, "columns, rows and sections may run along any axis") {
+TEST_CASE_FIXTURE(Folder, "columns, rows and sections of MRC may run along any axis") {
   // Columns along z, rows along x, sections along y.
   const Map map = Map().numbers(64, {3, 1, 2}).numbers(28, {3, 4, 5}).numbers(16, {1, 2, 3});
   const auto reader = open_volume(write("a.map", map.file(i8)));
@@ -117,7 +121,7 @@ TEST_CASE_FIXTURE(Folder, "columns, rows and sections may run along any axis") {
   CHECK(noted(untold, "columns, rows and sections are read as x, y and z"));
 }
 
-TEST_CASE_FIXTURE(Folder, "the axes of a crystal's cell may be oblique") {
+TEST_CASE_FIXTURE(Folder, "an oblique crystal cell in MRC gives oblique axes") {
   const VolumeInfo info = read_info(write("a.map", Map().reals(52, {90, 90, 120}).file(i8)));
   REQUIRE(info.placement);
   const auto& axes = info.placement->axes_mm;
@@ -127,7 +131,8 @@ TEST_CASE_FIXTURE(Folder, "the axes of a crystal's cell may be oblique") {
   CHECK(std::fabs(axes[2][2] - 2) < 1e-9);
 }
 
-TEST_CASE_FIXTURE(Folder, "an extended header is skipped, and one volume of a stack chosen") {
+TEST_CASE_FIXTURE(Folder,
+                  "an extended MRC header is skipped, and one volume of an MRC stack is chosen") {
   check_volume(write("a.mrc", Map().numbers(92, {80}).file(std::string(80, 'x') + i8)),
                SampleType::i8, "MRC");
   check_refused(write("a.mrc", Map().numbers(92, {-1}).file(i8)), "-1 bytes");

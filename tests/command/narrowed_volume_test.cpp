@@ -23,7 +23,8 @@ std::unique_ptr<VolumeReader> opened(const Folder& folder, SampleType type,
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "non-finite samples do not affect the bounds of a volume") {
+TEST_CASE_FIXTURE(Folder,
+                  "non-finite samples do not affect the bounds that narrow a volume to 16 bits") {
   const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
   const auto bounds = sample_bounds(
       *opened(*this, SampleType::f32, floats({nan, infinity, -infinity, 1000, -2000})));
@@ -31,7 +32,8 @@ TEST_CASE_FIXTURE(Folder, "non-finite samples do not affect the bounds of a volu
   CHECK(bounds.greatest == 1000);
 }
 
-TEST_CASE_FIXTURE(Folder, "a narrowed volume is on where the volume is, and in proportion") {
+TEST_CASE_FIXTURE(Folder,
+                  "narrowing to 16 bits keeps every voxel on or off, and samples in proportion") {
   for (const auto& each : discmc::command::sample_types) {
     const SampleType type = each.second;
     INFO(each.first);
@@ -52,7 +54,7 @@ TEST_CASE_FIXTURE(Folder, "a narrowed volume is on where the volume is, and in p
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "samples closer to iso than 16 bits resolve stay on their side") {
+TEST_CASE_FIXTURE(Folder, "samples too close to iso for 16 bits stay on their side of iso") {
   const auto volume = narrowed(
       opened(*this, SampleType::f32, floats({1e30F, -1e30F, 0.0F, -1e-30F, std::nanf("")})),
       {-1e30, 1e30}, 0);

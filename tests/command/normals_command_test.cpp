@@ -92,7 +92,8 @@ TEST_CASE_FIXTURE(Ball, "decode and extract write the same normals") {
       }
 }
 
-TEST_CASE_FIXTURE(Ball, "every format holds the same normals, and none without a source") {
+TEST_CASE_FIXTURE(
+    Ball, "every mesh format with normals has the same normals, and none with --normals none") {
   for (const std::string& source : sources) {
     for (const std::string& format : formats)
       done("extract v.nrrd --iso 1000 -q --normals " + source + " -o v." + format);
@@ -147,7 +148,9 @@ TEST_CASE_FIXTURE(Ball, "--volume requires --normals gradient, and a layout requ
         {"--dims", "--type"});
 }
 
-TEST_CASE_FIXTURE(Ball, "a stream without normals asks for its volume, and only for its own") {
+TEST_CASE_FIXTURE(
+    Ball,
+    "decode --normals gradient requires the stream's own volume if the stream has no normals") {
   const std::string decode = "decode v.dmc -o no.ply --normals gradient";
   fails(decode, 1, {"v.dmc", "--volume FILE", "--normals surface"});
   fails(decode + " --volume no.nrrd", 1, {"no.nrrd"});
@@ -178,7 +181,8 @@ TEST_CASE_FIXTURE(Ball, "normals in a stream equal those of its volume, in two b
   }
 }
 
-TEST_CASE_FIXTURE(Ball, "extract writes a device's normals, and decode keeps them") {
+TEST_CASE_FIXTURE(
+    Ball, "extract writes the same stream with normals as a device, and decode keeps the normals") {
   done("extract v.nrrd --iso 1000 --normals gradient -o normals.dmc");
   CHECK(read("normals.dmc") == stream_with_normals());
   done("decode normals.dmc -o again.dmc");
@@ -186,7 +190,8 @@ TEST_CASE_FIXTURE(Ball, "extract writes a device's normals, and decode keeps the
   CHECK(read("normals.dmc").size() > read("v.dmc").size());
 }
 
-TEST_CASE_FIXTURE(Ball, "an incomplete stream has a normal for each vertex of its surface") {
+TEST_CASE_FIXTURE(Ball,
+                  "decode gives each vertex of an incomplete stream a normal from the volume") {
   const std::string stream = read("v.dmc");
   auto frames = discmc::test::frames_of(discmc::test::Bytes(stream.begin(), stream.end()));
   REQUIRE(frames.size() > 3);

@@ -41,7 +41,7 @@ TEST_CASE_FIXTURE(Workshop, "every command that reads a volume prints its notes,
   CHECK(count_of("note no spacing given", done("info v.nrrd")) == 1);
 }
 
-TEST_CASE_FIXTURE(Workshop, "the notes of a mask are printed, too") {
+TEST_CASE_FIXTURE(Workshop, "extract prints the notes of a mask") {
   const auto body = ball({20, 20, 20}, {19, 19, 19}, 81);
   write("v.nrrd", body);
   write("m.nrrd", body, "");
@@ -49,7 +49,7 @@ TEST_CASE_FIXTURE(Workshop, "the notes of a mask are printed, too") {
                  "discmc: m.nrrd: no spacing given, 1 mm assumed\n"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "bytes behind the last slice are reported") {
+TEST_CASE_FIXTURE(Workshop, "extract reports bytes behind the last slice") {
   write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
   write("w.nrrd.gz", volume_files::gzip(read("v.nrrd") + "behind"));
   const std::string behind = "more bytes after the samples are left out";

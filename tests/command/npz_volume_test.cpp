@@ -8,7 +8,7 @@ using namespace volume_files;
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 const std::string several = files / "npz_arrays/several.npz";
 
-TEST_CASE("the only array of three axes is the volume, and of several one is chosen by its name") {
+TEST_CASE("the only array with three axes in an NPZ file is the volume; several require a name") {
   check_volume(files / "npz/i16-little-deflate.npz", SampleType::i16, "NumPy, npz");
   check_volume((files / "npz/u8-little.npz").string() + ":/volume", "NumPy, npz");
   check_refused(several, "holds 2 arrays: /scan (5 x 3 x 4), /truth (5 x 3 x 4)");
@@ -19,7 +19,8 @@ TEST_CASE("the only array of three axes is the volume, and of several one is cho
   check_refused(several + ":/words", "samples of type '<U5' are not supported");
 }
 
-TEST_CASE_FIXTURE(Folder, "an archive that is damaged, cut off, or holds no array is refused") {
+TEST_CASE_FIXTURE(Folder,
+                  "an NPZ archive that is damaged, truncated, or without an array is refused") {
   const std::string bytes = contents(files / "npz/i16-little-deflate.npz");
   for (std::size_t size = 0; size < bytes.size(); size += 11) {
     INFO("cut at ", size);

@@ -72,7 +72,8 @@ std::string array_with(const std::string& letters) {
   });
 }
 
-TEST_CASE_FIXTURE(Folder, "named axes are read in any order and in either storage") {
+TEST_CASE_FIXTURE(Folder,
+                  "NumPy arrays are read with --axes in any order, stored in C or Fortran order") {
   for (const std::string letters : {"zyx", "zxy", "yzx", "yxz", "xzy", "xyz", "tzyx", "xyzt",
                                     "zyxc", "czyx", "tczyx", "ztyxc", "cxyzt", "xytzc"}) {
     INFO(letters);
@@ -89,7 +90,8 @@ TEST_CASE_FIXTURE(Folder, "named axes are read in any order and in either storag
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "without names the axis that is stored side by side is x, with a note") {
+TEST_CASE_FIXTURE(Folder,
+                  "without --axes, the contiguous axis of a NumPy array is x, with a note") {
   const auto file = write("c.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
   check_places(file, {});
   CHECK(noted(read_info(file), "read as array[z][y][x]; to read others, give --axes, such as xyz"));
@@ -100,7 +102,7 @@ TEST_CASE_FIXTURE(Folder, "without names the axis that is stored side by side is
               "read as array[x][y][z]; to read others, give --axes, such as zyx"));
 }
 
-TEST_CASE_FIXTURE(Folder, "slices of a turned volume are skipped as others are") {
+TEST_CASE_FIXTURE(Folder, "skipping slices of a NumPy array works for any order of axes") {
   for (const std::string letters : {"zxy", "xyz", "yzx"}) {
     INFO(letters);
     const auto file = write("a.npy", npy("<u2", shape_of(letters), array_with(letters)));
@@ -116,7 +118,7 @@ TEST_CASE_FIXTURE(Folder, "slices of a turned volume are skipped as others are")
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "axes of size 1 are dropped at any position, with a note") {
+TEST_CASE_FIXTURE(Folder, "NumPy axes of size 1 are dropped at any position, with a note") {
   for (const std::string shape :
        {"1, 4, 3, 5", "4, 3, 5, 1", "1, 4, 3, 5, 1", "1, 1, 4, 3, 5", "4, 1, 3, 5"}) {
     INFO(shape);
@@ -128,7 +130,8 @@ TEST_CASE_FIXTURE(Folder, "axes of size 1 are dropped at any position, with a no
   CHECK(read_info(image).dims == Dims{5, 12, 1});
 }
 
-TEST_CASE_FIXTURE(Folder, "an array with more axes needs a frame or suitable names") {
+TEST_CASE_FIXTURE(Folder,
+                  "a NumPy array with more than three axes requires --frame or suitable --axes") {
   const auto file = write("a.npy", npy("<u2", shape_of("zyxc"), array_with("zyxc")));
   check_refused(
       file,
@@ -152,7 +155,7 @@ TEST_CASE_FIXTURE(Folder, "--axes is refused for a format with fixed axes") {
   check_refused(file, with_axes("zyx"), "--axes applies to arrays and TIFF, and this is NIfTI-1");
 }
 
-TEST_CASE_FIXTURE(Folder, "floating point of 16 bits is read as that of 32") {
+TEST_CASE_FIXTURE(Folder, "16-bit floating-point samples are read as 32-bit floating point") {
   // Numbers of every kind, from their bits in IEEE 754.
   struct Half {
     std::uint16_t bits;
@@ -189,7 +192,7 @@ TEST_CASE_FIXTURE(Folder, "floating point of 16 bits is read as that of 32") {
                 "4 bytes of it are missing");
 }
 
-TEST_CASE_FIXTURE(Folder, "samples behind an array are noted, whatever its axes are") {
+TEST_CASE_FIXTURE(Folder, "samples behind a NumPy array are noted for any order of axes") {
   for (const std::string letters : {"zyx", "xyz", "zyxc"}) {
     INFO(letters);
     VolumeOptions options = with_axes(letters);

@@ -21,7 +21,7 @@ std::vector<std::size_t> numbers_below(std::size_t end) {
 
 }  // namespace
 
-TEST_CASE("items are filled and consumed in order by any number of threads") {
+TEST_CASE("an ordered pipeline fills and consumes items in order with any number of threads") {
   for (const unsigned jobs : {1U, 2U, 7U}) {
     CAPTURE(jobs);
     std::vector<std::size_t> filled, consumed, results;
@@ -45,7 +45,7 @@ TEST_CASE("items are filled and consumed in order by any number of threads") {
   }
 }
 
-TEST_CASE("no more items are held than twice the jobs") {
+TEST_CASE("an ordered pipeline holds at most twice as many items as jobs") {
   for (const unsigned jobs : {1U, 3U}) {
     std::atomic<unsigned> held{0}, most{0};
     run_in_order<int>(
@@ -59,7 +59,7 @@ TEST_CASE("no more items are held than twice the jobs") {
   }
 }
 
-TEST_CASE("a single job runs in the calling thread") {
+TEST_CASE("an ordered pipeline with a single job runs in the calling thread") {
   const auto own = std::this_thread::get_id();
   run_in_order<int>(
       1, 3, [](std::size_t, int&) {},
@@ -67,7 +67,7 @@ TEST_CASE("a single job runs in the calling thread") {
       [](std::size_t, int&) {});
 }
 
-TEST_CASE("an exception of a step is rethrown, and later items are dropped") {
+TEST_CASE("an ordered pipeline rethrows an exception of a step and drops later items") {
   for (const unsigned jobs : {1U, 4U})
     for (const std::string step : {"fill", "work", "take"}) {
       CAPTURE(step);
@@ -88,7 +88,7 @@ TEST_CASE("an exception of a step is rethrown, and later items are dropped") {
     }
 }
 
-TEST_CASE("without items nothing is called") {
+TEST_CASE("an ordered pipeline without items calls no step") {
   const auto never = [](std::size_t, int&) { FAIL("called"); };
   run_in_order<int>(2, 0, never, never, never);
 }

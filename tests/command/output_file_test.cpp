@@ -70,7 +70,7 @@ extern "C" int fsync(int descriptor) {
   return errno == 0 ? 0 : -1;
 }
 
-TEST_CASE_FIXTURE(Target, "a file appears only once it is complete") {
+TEST_CASE_FIXTURE(Target, "an output file appears only when committed") {
   {
     OutputFile file(target);
     file.stream() << "text";
@@ -83,7 +83,7 @@ TEST_CASE_FIXTURE(Target, "a file appears only once it is complete") {
   CHECK(std::distance(std::filesystem::directory_iterator(path()), {}) == 1);
 }
 
-TEST_CASE_FIXTURE(Folder, "the start of a file can be written last") {
+TEST_CASE_FIXTURE(Folder, "the start of an output file can be written last") {
   const auto target = path() / "v.stl";
   OutputFile file(target);
   REQUIRE(file.can_seek());
@@ -96,7 +96,8 @@ TEST_CASE_FIXTURE(Folder, "the start of a file can be written last") {
   CHECK(!OutputFile("-.stl").can_seek());
 }
 
-TEST_CASE_FIXTURE(Folder, "an uncommitted file leaves no trace and keeps the previous file") {
+TEST_CASE_FIXTURE(
+    Folder, "an uncommitted output file leaves no temporary file and keeps the previous file") {
   const auto target = write("a.obj", "before");
   {
     OutputFile file(target);
@@ -110,7 +111,9 @@ TEST_CASE_FIXTURE(Folder, "an uncommitted file leaves no trace and keeps the pre
   CHECK(contents(target) == "after");
 }
 
-TEST_CASE_FIXTURE(Target, "outputs of one name write separate files with unpredictable names") {
+TEST_CASE_FIXTURE(
+    Target,
+    "two outputs with one name write to separate temporary files with unpredictable names") {
   OutputFile first(target);
   const auto temporary = only_file(path());
   OutputFile second(target);
@@ -124,7 +127,7 @@ TEST_CASE_FIXTURE(Target, "outputs of one name write separate files with unpredi
   CHECK(!std::filesystem::exists(temporary));
 }
 
-TEST_CASE_FIXTURE(Folder, "a link that waits under the name of a process is not followed") {
+TEST_CASE_FIXTURE(Folder, "a symbolic link with a guessed temporary name is not followed") {
   const auto victim = write("victim", "before");
   const auto link = path() / ("a.obj.part" + std::to_string(getpid()));
   std::filesystem::create_symlink("victim", link);
@@ -137,14 +140,15 @@ TEST_CASE_FIXTURE(Folder, "a link that waits under the name of a process is not 
   CHECK(std::filesystem::is_symlink(link));
 }
 
-TEST_CASE_FIXTURE(Target, "the file is synced before its renaming, and the folder after it") {
+TEST_CASE_FIXTURE(Target, "committing syncs the file before renaming it, and then the folder") {
   const SyncsWatched watched(target);
   OutputFile file(target);
   file.commit();
   CHECK(watched.done == std::vector<std::pair<bool, bool>>{{false, false}, {true, true}});
 }
 
-TEST_CASE_FIXTURE(Target, "a failing disk is reported; a file system without sync is accepted") {
+TEST_CASE_FIXTURE(
+    Target, "a failing sync of an output is reported; a file system without sync is accepted") {
   SyncsWatched watched(target);
   const auto save = [&] {
     OutputFile file(target);
@@ -165,7 +169,8 @@ TEST_CASE_FIXTURE(Target, "a failing disk is reported; a file system without syn
   CHECK(only_file(path()) == target);
 }
 
-TEST_CASE_FIXTURE(Folder, "a link stays a link, and its target is written") {
+TEST_CASE_FIXTURE(Folder,
+                  "an output that is a symbolic link stays a link, and its target is written") {
   const auto file = write("a.obj", "before");
   std::filesystem::create_directory(path() / "links");
   const auto link = path() / "links" / "b.obj", to_nothing = path() / "c.obj";
@@ -184,14 +189,14 @@ TEST_CASE_FIXTURE(Folder, "a link stays a link, and its target is written") {
   CHECK(std::distance(std::filesystem::directory_iterator(link.parent_path()), {}) == 1);
 }
 
-TEST_CASE_FIXTURE(Folder, "links that lead in a circle are refused") {
+TEST_CASE_FIXTURE(Folder, "an output that is a cycle of symbolic links is refused") {
   std::filesystem::create_symlink("b.obj", path() / "a.obj");
   std::filesystem::create_symlink("a.obj", path() / "b.obj");
   const std::string text = complaint([&] { OutputFile file(path() / "a.obj"); });
   CHECK(contains(text, "a.obj: the file cannot be written"));
 }
 
-TEST_CASE_FIXTURE(Folder, "a file that is replaced keeps its permissions") {
+TEST_CASE_FIXTURE(Folder, "a replaced output file keeps its permissions") {
   using std::filesystem::perms;
   const auto target = write("a.obj", "before");
   for (const perms mode : {perms::owner_read | perms::owner_write,
@@ -206,7 +211,7 @@ TEST_CASE_FIXTURE(Folder, "a file that is replaced keeps its permissions") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a new file has the permissions of the umask") {
+TEST_CASE_FIXTURE(Folder, "a new output file has the permissions that the umask allows") {
   for (const auto& [mask, mode] : {std::pair<mode_t, int>{0027, 0640}, {0, 0666}}) {
     const mode_t before = umask(mask);
     const auto target = path() / std::to_string(mask);
@@ -217,7 +222,7 @@ TEST_CASE_FIXTURE(Folder, "a new file has the permissions of the umask") {
   }
 }
 
-TEST_CASE_FIXTURE(Target, "a stream that failed is not committed") {
+TEST_CASE_FIXTURE(Target, "an output whose stream failed is not committed") {
   {
     OutputFile file(target);
     file.stream() << "text";
@@ -229,7 +234,7 @@ TEST_CASE_FIXTURE(Target, "a stream that failed is not committed") {
   CHECK(std::filesystem::is_empty(path()));
 }
 
-TEST_CASE_FIXTURE(Folder, "a missing folder, or a file in its place, is refused by name") {
+TEST_CASE_FIXTURE(Folder, "an output folder that is missing or is a file is refused by name") {
   const auto missing = path() / "none", file = write("a.obj", "");
   CHECK(complaint([&] { OutputFile output(missing / "b.obj"); }) ==
         missing.string() + ": the folder does not exist; create it");
@@ -237,7 +242,7 @@ TEST_CASE_FIXTURE(Folder, "a missing folder, or a file in its place, is refused 
         file.string() + ": this is not a folder; give another name");
 }
 
-TEST_CASE_FIXTURE(Target, "a folder is not replaced by a file") {
+TEST_CASE_FIXTURE(Target, "an output that is an existing folder is refused") {
   std::filesystem::create_directory(target);
   const std::string text = complaint([&] {
     OutputFile file(target);

@@ -39,7 +39,8 @@ constexpr Way ways[] = {{"gzip", ".gz", archive_write_add_filter_gzip},
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 
-TEST_CASE_FIXTURE(Folder, "a volume is unpacked by its name's ending and by its first bytes") {
+TEST_CASE_FIXTURE(
+    Folder, "compressed volumes are recognized by the ending of the name and by the first bytes") {
   const std::string nii = Nifti().file(u8);
   for (const Way& way : ways) {
     INFO(way.name);
@@ -50,7 +51,9 @@ TEST_CASE_FIXTURE(Folder, "a volume is unpacked by its name's ending and by its 
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "for a library that reads only files, a temporary copy is unpacked") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "a compressed volume is unpacked to a temporary file for libraries that read only files") {
   const std::pair<const char*, const char*> cases[] = {{"hdf5/u8-little.h5", "HDF5, /volume, raw"},
                                                        {"npz/u8-little.npz", "NumPy, npz"}};
   for (const auto& each : cases)
@@ -69,7 +72,8 @@ TEST_CASE_FIXTURE(Folder, "for a library that reads only files, a temporary copy
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "headerless samples are unpacked by the ending of their name alone") {
+TEST_CASE_FIXTURE(Folder,
+                  "compressed headerless samples are recognized only by the ending of the name") {
   const VolumeOptions options = with(&VolumeOptions::layout, RawLayout{{5, 3, 4}, SampleType::i16});
   for (const Way& way : ways) {
     INFO(way.name);
@@ -81,7 +85,7 @@ TEST_CASE_FIXTURE(Folder, "headerless samples are unpacked by the ending of thei
   check_refused(file, options, "begins like zstd, not like samples");
 }
 
-TEST_CASE_FIXTURE(Folder, "both files of a pair may be packed, each in its way") {
+TEST_CASE_FIXTURE(Folder, "the two files of a NIfTI pair may have different compressions") {
   const std::string whole = Nifti().pair().file(u8);
   write("a.hdr.xz", packed(whole.substr(0, 348), archive_write_add_filter_xz));
   write("a.img.bz2", packed(whole.substr(352), archive_write_add_filter_bzip2));
@@ -103,7 +107,7 @@ TEST_CASE_FIXTURE(Folder, "compressed files that are truncated or damaged are re
   check_refused(write("changed.nii.bz2", bytes), "the compressed data is damaged");
 }
 
-TEST_CASE_FIXTURE(Folder, "concatenated packed streams are read as one") {
+TEST_CASE_FIXTURE(Folder, "concatenated compressed streams are read as one file") {
   const std::string nii = Nifti().file(u8);
   for (const Way& way : ways) {
     INFO(way.name);

@@ -60,7 +60,7 @@ void check_same_places(const FileMesh& a, const FileMesh& b) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Volumes, "a part of a volume has the results of a file with only that part") {
+TEST_CASE_FIXTURE(Volumes, "--crop gives the same results as a file with only that part") {
   const std::vector<std::string> surfaces = {
       "extract VOLUME --iso 1000 -q -o OUT.jsonl",
       "extract VOLUME --iso 1000 --space voxel --normals gradient -q -o OUT.ply",
@@ -81,7 +81,7 @@ TEST_CASE_FIXTURE(Volumes, "a part of a volume has the results of a file with on
   }
 }
 
-TEST_CASE_FIXTURE(Volumes, "a part keeps its place, in meshes and through streams") {
+TEST_CASE_FIXTURE(Volumes, "a cropped volume keeps its position in meshes and through streams") {
   write("turned.nrrd", turned + volume_files::bytes_of(ball()));
   write("v.raw", volume_files::bytes_of(ball()));
   for (const std::string& volume :
@@ -100,7 +100,7 @@ TEST_CASE_FIXTURE(Volumes, "a part keeps its place, in meshes and through stream
   }
 }
 
-TEST_CASE_FIXTURE(Volumes, "a shrunk ball keeps its size and position") {
+TEST_CASE_FIXTURE(Volumes, "a ball extracted with --shrink keeps its size and position") {
   write("turned.nrrd", turned + volume_files::bytes_of(ball()));
   for (const std::string part : {"", "--crop 1..,1..14,2.. "}) {
     done("extract turned.nrrd --iso 1000 --shrink 2 " + part +
@@ -119,7 +119,8 @@ TEST_CASE_FIXTURE(Volumes, "a shrunk ball keeps its size and position") {
   }
 }
 
-TEST_CASE_FIXTURE(Volumes, "the gradient of a part's stream is that of the volume's part") {
+TEST_CASE_FIXTURE(
+    Volumes, "decode gives a cropped or shrunk stream the gradient normals that extract gives") {
   const std::vector<std::uint16_t> whole = ball();
   write("v32.raw", volume_files::bytes_of(std::vector<float>(whole.begin(), whole.end())));
   const std::string as_f32 = " --dims 16,16,16 --type f32 ";
@@ -144,7 +145,7 @@ TEST_CASE_FIXTURE(Volumes, "the gradient of a part's stream is that of the volum
   fails("decode part.dmc -o v.ply --crop ..,..,..", 2, {"--volume"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "a surface is compared with the same part of a volume") {
+TEST_CASE_FIXTURE(Volumes, "compare applies --crop and --shrink to the volume of a stream") {
   const std::string volume = "v.raw --iso 1000" + layout;
   done("extract " + volume + crop + "-o part.dmc");
   const auto largest = [&](const std::string& part) {
@@ -158,7 +159,7 @@ TEST_CASE_FIXTURE(Volumes, "a surface is compared with the same part of a volume
   CHECK(largest("") > 2);
 }
 
-TEST_CASE_FIXTURE(Volumes, "bytes behind a part are not read from a pipe") {
+TEST_CASE_FIXTURE(Volumes, "with --crop, bytes behind the part are not read from a pipe") {
   done("extract v.raw --iso 1000 -o file.jsonl" + layout + crop);
   const Result piped = shell("head -c 7168 v.raw | \"$discmc\" extract - --iso 1000 -o " +
                              ("piped.jsonl" + layout + crop));
@@ -166,7 +167,7 @@ TEST_CASE_FIXTURE(Volumes, "bytes behind a part are not read from a pipe") {
   CHECK(read("piped.jsonl") == read("file.jsonl"));
 }
 
-TEST_CASE_FIXTURE(Volumes, "labels are shrunk to labels") {
+TEST_CASE_FIXTURE(Volumes, "--shrink of labels gives only labels of the volume") {
   // Two halves, 2 and 6, whose mean is 4.
   std::string labels;
   for (int i = 0; i < 9 * 8 * 8; ++i) labels += static_cast<char>(i % 9 < 5 ? 2 : 6);
@@ -183,7 +184,7 @@ TEST_CASE_FIXTURE(Volumes, "labels are shrunk to labels") {
                                                  "l.obj", "l.raw", "part.raw", "v.raw"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "invalid parts are refused before any work") {
+TEST_CASE_FIXTURE(Volumes, "invalid values of --crop and --shrink are refused before any work") {
   const std::string extract = "extract v.raw --iso 1000 -o v.stl" + layout;
   for (const std::string text : {"1..2", "1..2,3..4", "1..2,3..4,5..6,7..8", "1,2,3", "2..1,..,..",
                                  "-1..2,..,..", "a..,..,..", "..,..,..5x", "..,..,99999999999.."})

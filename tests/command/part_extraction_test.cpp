@@ -105,7 +105,8 @@ std::vector<SliceSpan> parts_of(const VolumeInfo& info) {
 
 }  // namespace
 
-TEST_CASE("parts cover the volume, and are as thick as its slices allow") {
+TEST_CASE(
+    "parts for parallel extraction cover the volume and are as thick as memory per slice allows") {
   for (const std::uint32_t depth : {1U, 15U, 16U, 17U, 33U, 275U, 5000U}) {
     std::uint32_t end = 0;
     for (const SliceSpan& part : parts_of(info_of(4, 4, depth))) {
@@ -123,7 +124,7 @@ TEST_CASE("parts cover the volume, and are as thick as its slices allow") {
   CHECK(parts_of(info_of(32766, 32766, 10)).size() == 5);
 }
 
-TEST_CASE("parts of a slab cover its slices alone") {
+TEST_CASE("parts of a slab cover exactly the slices of the slab") {
   const auto parts = discmc::meshing::parts_of(info_of(4, 4, 100), {30, 80});
   CHECK(parts.size() > 1);
   CHECK(parts.front().first == 30);
@@ -131,7 +132,7 @@ TEST_CASE("parts of a slab cover its slices alone") {
   CHECK(parts.back().end == 80);
 }
 
-TEST_CASE("parts yield the regions of one sweep, in an order independent of --jobs") {
+TEST_CASE("extraction in parts gives the regions of one sweep, in an order independent of --jobs") {
   for (const BitVolume& volume : tall_volumes())
     for (const Border border : {Border::closed, Border::open}) {
       check_same_surface(volume, options_with(border));
@@ -139,7 +140,7 @@ TEST_CASE("parts yield the regions of one sweep, in an order independent of --jo
     }
 }
 
-TEST_CASE("a part that needs more memory gets it, with the same result") {
+TEST_CASE("extraction in parts with too little initial memory gives the same surface") {
   const BitVolume volume = random({20, 20, 40}, 128, 5);
   ExtractionOptions options = options_with(Border::closed);
   options.jobs = 2;
@@ -161,7 +162,7 @@ TEST_CASE("the statistics of parts equal those of one sweep, within one cell and
   CHECK(parts.classic_triangles == whole.classic_triangles);
 }
 
-TEST_CASE_FIXTURE(Workshop, "files do not depend on the number of jobs") {
+TEST_CASE_FIXTURE(Workshop, "files written by extract do not depend on --jobs") {
   std::string samples;
   std::uint32_t noise = 1;
   for (int i = 0; i < 40 * 40 * 70; ++i) {
@@ -193,7 +194,7 @@ TEST_CASE_FIXTURE(Workshop, "files do not depend on the number of jobs") {
   CHECK(read("all.stl") == read("v.stl"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "meshes of labels and output do not depend on the number of jobs") {
+TEST_CASE_FIXTURE(Workshop, "meshes and output of --labels do not depend on --jobs") {
   std::string labels;
   for (int i = 0; i < 32 * 32 * 24; ++i) {
     const int x = i % 32, y = i / 32 % 32, z = i / 1024;
@@ -226,7 +227,8 @@ TEST_CASE("packets of parts hold the regions of one sweep, in an order independe
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "a truncated volume is refused as in one sweep, and no file is left") {
+TEST_CASE_FIXTURE(Workshop,
+                  "extract refuses a truncated volume with any --jobs, and leaves no file") {
   write("v.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 60\nencoding: raw\n\n" +
                       std::string(20 * 20 * 45, 'a'));
   for (const std::string jobs : {"1", "4"}) {

@@ -122,7 +122,7 @@ TEST_CASE("an octahedron seen from above is drawn as a square on its tip that fi
   CHECK(brightness(pixel(picture, 30, 40)) > brightness(pixel(picture, 30, 60)));
 }
 
-TEST_CASE("a plane polygon of any shape is filled, and nothing else") {
+TEST_CASE("drawing a plane polygon of any shape fills exactly the pixels inside") {
   // The roof of the leaning wall is an L, with its notch at the lower right.
   Surface surface = leaning_wall();
   surface.polygons = only(surface.polygons, {4});
@@ -172,14 +172,15 @@ TEST_CASE("the inside of an open mesh is drawn in another tone") {
   CHECK(outside[0] > outside[2]);
 }
 
-TEST_CASE("a mirrored axis mirrors the picture but not inside and outside") {
+TEST_CASE("a mirrored axis mirrors the picture and keeps inside and outside") {
   const Picture picture = draw(build_mesh(box_with_hole({1, 1, -1})), from_above(64));
   CHECK(pixel(picture, 8, 32)[0] > pixel(picture, 8, 32)[2]);
   // Light and hole do not move, because the box is symmetric.
   CHECK(picture.pixels == draw(build_mesh(box_with_hole()), from_above(64)).pixels);
 }
 
-TEST_CASE("outlines follow the polygons and not their triangles, in either shade") {
+TEST_CASE(
+    "outlines are drawn along polygons, not along their triangles, in flat and smooth shading") {
   const FaceMesh mesh = with_normals(build_mesh(box_with_hole(), {true, Faces::triangles}));
   for (const Shading shading : {Shading::flat, Shading::smooth}) {
     PictureOptions options = from_above(64);
@@ -234,7 +235,7 @@ TEST_CASE("a smooth ball grows brighter towards the light, for axes in either di
   }
 }
 
-TEST_CASE("exact normals make an exact ball: smooth shading follows normals and not faces") {
+TEST_CASE("smooth shading of a ball depends on the vertex normals, not on the faces") {
   const FaceMesh mesh = with_radii(ball_mesh(), {1, 1, 1});
   const Picture smooth = from_side(mesh, {0, 0, 1}, Shading::smooth, 200);
   const Picture flat = from_side(mesh, {0, 0, 1}, Shading::flat, 200);
@@ -252,7 +253,7 @@ TEST_CASE("exact normals make an exact ball: smooth shading follows normals and 
   CHECK(flat_steps > 100);
 }
 
-TEST_CASE("walls stay plain in smooth shading, and their edges are rounded") {
+TEST_CASE("smooth shading keeps plane walls uniform and rounds their edges") {
   const auto volume = discmc::reference::box({26, 26, 26}, {3, 3, 3}, {22, 22, 22});
   const FaceMesh mesh = with_normals(sample_reader::merged_mesh(volume, Faces::triangles));
   const Picture flat = from_side(mesh, {-1, -1.5, 0.8}, Shading::flat);
@@ -269,7 +270,7 @@ TEST_CASE("walls stay plain in smooth shading, and their edges are rounded") {
   CHECK(same < covered);
 }
 
-TEST_CASE("a face keeps its normal if the vertex normal deviates too far") {
+TEST_CASE("smooth shading uses the face normal if the vertex normal deviates too far") {
   FaceMesh mesh = build_mesh(box_with_hole(), {true, Faces::triangles});
   mesh.normals.assign(mesh.vertices_mm.size(), {0, 0, 1});  // as at the border of a volume
   const Point side = {-1, -1.5, 0.8};
@@ -281,7 +282,7 @@ TEST_CASE("a face keeps its normal if the vertex normal deviates too far") {
   CHECK(max_difference(from_side(mesh, side, Shading::smooth), flat) > 20);
 }
 
-TEST_CASE("normals are interpolated in space and not in the picture") {
+TEST_CASE("smooth shading interpolates normals in space, not in the picture") {
   const Point near = unit_or_zero({0, -1, 0.8}), far = unit_or_zero({0, 1, 0.8}), up = {0, 0, 1};
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     PictureOptions options;
@@ -300,7 +301,7 @@ TEST_CASE("normals are interpolated in space and not in the picture") {
   }
 }
 
-TEST_CASE("a zoom enlarges the picture about its middle, or about a point") {
+TEST_CASE("zoom enlarges the picture around its middle or around a given point") {
   PictureOptions options = from_above(100);
   options.zoom = 0.5;
   const FaceMesh mesh = build_mesh(octahedron());
@@ -319,7 +320,7 @@ TEST_CASE("a zoom enlarges the picture about its middle, or about a point") {
   CHECK(is_background(pixel(tip, 20, 10)));
 }
 
-TEST_CASE("wrong options are refused, and an empty mesh is an empty picture") {
+TEST_CASE("drawing refuses invalid options, and draws an empty mesh as an empty picture") {
   PictureOptions options = from_above(16);
   const FaceMesh nothing = build_mesh({{1, 1, 1}, {}});
   const Picture picture = draw(nothing, options);
@@ -348,7 +349,7 @@ TEST_CASE("wrong options are refused, and an empty mesh is an empty picture") {
   CHECK_FALSE(is_background(pixel(draw(build_mesh(octahedron()), options), 8, 8)));
 }
 
-TEST_CASE("a picture file holds the picture") {
+TEST_CASE("a written PNG file reads back as the same picture") {
   PictureOptions options = from_above(40);
   options.height = 24;
   const FaceMesh mesh = build_mesh(octahedron());

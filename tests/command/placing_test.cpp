@@ -76,7 +76,8 @@ std::string stream_with(const discmc::Placement& placement) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Workshop, "a mesh lies where NiBabel places the volume") {
+TEST_CASE_FIXTURE(Workshop,
+                  "a mesh of a placed NIfTI volume lies at the position that NiBabel computes") {
   for (const Placed& volume : placed) {
     copy_placed(*this, volume.name);
     for (const std::string name : {"v.obj", "v.ply", "v.stl"}) {
@@ -93,7 +94,9 @@ TEST_CASE_FIXTURE(Workshop, "a mesh lies where NiBabel places the volume") {
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "either kind of stream carries the placement to meshes and streams") {
+TEST_CASE_FIXTURE(
+    Workshop,
+    "streams of regions and of slices carry the placement to decoded meshes and streams") {
   for (const Placed& volume : placed)
     for (const std::string wire : {"regions", "slices"}) {
       INFO(volume.name, " by ", wire);
@@ -110,7 +113,8 @@ TEST_CASE_FIXTURE(Workshop, "either kind of stream carries the placement to mesh
     }
 }
 
-TEST_CASE_FIXTURE(Workshop, "every surface of a stream has the placement") {
+TEST_CASE_FIXTURE(
+    Workshop, "every surface of a stream with several surfaces has the placement of the volume") {
   for (const std::string wire : {"regions", "slices"}) {
     INFO(wire);
     copy_placed(*this, placed[0].name);
@@ -122,7 +126,7 @@ TEST_CASE_FIXTURE(Workshop, "every surface of a stream has the placement") {
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "in the space of voxels a mesh is at index times spacing") {
+TEST_CASE_FIXTURE(Workshop, "with --space voxel, mesh vertices are at index times spacing") {
   write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
         "space: LPS\nspace origin: (10,20,30)\n"
         "space directions: (0,2,0) (-3,0,0) (0,0,4)\n");
@@ -146,7 +150,8 @@ TEST_CASE_FIXTURE(Workshop, "in the space of voxels a mesh is at index times spa
   check_vertices(mesh_in("v.ply"), at_voxels);
 }
 
-TEST_CASE_FIXTURE(Workshop, "a volume in scanner space keeps its placement") {
+TEST_CASE_FIXTURE(Workshop,
+                  "a volume in scanner space keeps its placement, and --space is refused") {
   write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
         "space dimension: 3\nspace origin: (10,20,30)\n"
         "space directions: (2,0,0) (0,2,0) (0,0,2)\n");

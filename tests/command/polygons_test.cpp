@@ -53,7 +53,7 @@ TEST_CASE("an empty list of polygons has no rings and no corners") {
   CHECK(none.corners().empty());
 }
 
-TEST_CASE("a polygon has the rings that were added to it, in their order") {
+TEST_CASE("a polygon has its rings in the order of their addition") {
   const Polygons polygons = square_with_hole();
   REQUIRE(polygons.size() == 1);
   const Polygon polygon = polygons[0];
@@ -78,7 +78,7 @@ TEST_CASE("append() adds polygons at the end, and polygons without rings keep th
   CHECK(all.corners.size() == polygons.corners().size());
 }
 
-TEST_CASE("a polygon of another list is added with all its rings") {
+TEST_CASE("adding a polygon of another list copies all its rings") {
   Polygons others = square_with_hole();
   others.append(polygon_of(down, {square}));
   Polygons polygons;
@@ -89,7 +89,7 @@ TEST_CASE("a polygon of another list is added with all its rings") {
   CHECK(all.rings == std::vector<std::vector<Corners>>{{square}, {square, hole}});
 }
 
-TEST_CASE("polygons are sorted by z, y and x of their first corners, then by their incidences") {
+TEST_CASE("a list of polygons sorts by z, y and x of the first corners, then by incidence") {
   // Side by side; in distant rows; and in layers, some of which are distant.
   struct Spread {
     std::int32_t row, far_layer;

@@ -35,7 +35,7 @@ void check_phases(const std::string& sent, const std::vector<std::string>& phase
 
 }  // namespace
 
-TEST_CASE("progress is a percentage, or a count if the total is unknown") {
+TEST_CASE("progress is printed as a percentage, or as a count if the total is unknown") {
   CHECK(progress_text("extracting", 0, 113) == "extracting 0 %");
   CHECK(progress_text("extracting", 51, 113) == "extracting 45 %");
   CHECK(progress_text("extracting", 113, 113) == "extracting 100 %");
@@ -43,7 +43,8 @@ TEST_CASE("progress is a percentage, or a count if the total is unknown") {
   CHECK(progress_text("writing", 0, 0) == "writing");
 }
 
-TEST_CASE_FIXTURE(Workshop, "a terminal shows the phases of the job, then a clean line") {
+TEST_CASE_FIXTURE(Workshop,
+                  "on a terminal, progress shows the phases of the job and then clears its line") {
   write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
   const std::string extracted = on_terminal(*this, "extract v.nrrd --iso 100 -o v.obj");
   if (extracted.empty()) return;  // no program that makes a terminal

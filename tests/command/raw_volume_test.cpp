@@ -11,7 +11,8 @@ VolumeOptions layout_of(SampleType type, std::uint64_t skipped_bytes = 0) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "a file longer or shorter than its dimensions and type is refused") {
+TEST_CASE_FIXTURE(Folder,
+                  "headerless samples longer or shorter than --dims and --type are refused") {
   const std::string i16 = stored(SampleType::i16);
   const auto check = [&](const std::string& bytes, const std::string& part) {
     check_refused(write("v.raw", bytes), layout_of(SampleType::i16), part);
@@ -27,7 +28,8 @@ TEST_CASE_FIXTURE(Folder, "a file longer or shorter than its dimensions and type
                 "1 bytes of it are missing");
 }
 
-TEST_CASE_FIXTURE(Folder, "the type or the number of slices that fits the length is proposed") {
+TEST_CASE_FIXTURE(
+    Folder, "the refusal of headerless samples proposes a type or number of slices that fits") {
   const auto check = [&](std::size_t bytes, const std::string& part) {
     const auto file = write("v.raw", std::string(bytes, 'x'));
     check_refused(file, layout_of(SampleType::i16), part);
@@ -39,7 +41,7 @@ TEST_CASE_FIXTURE(Folder, "the type or the number of slices that fits the length
   check(150, "has 120; give --dims 5,3,5, which fits the length");
 }
 
-TEST_CASE_FIXTURE(Folder, "bytes before headerless samples are skipped on request") {
+TEST_CASE_FIXTURE(Folder, "--skip-bytes skips bytes before headerless samples") {
   const std::string i16 = stored(SampleType::i16);
   const auto file = write("v.raw", "a header of some program" + i16);
   check_volume(file, SampleType::i16, "raw", layout_of(SampleType::i16, 24));
@@ -50,7 +52,8 @@ TEST_CASE_FIXTURE(Folder, "bytes before headerless samples are skipped on reques
   check_refused(file, layout_of(SampleType::i16, 145), "of 145 bytes to skip 1 are missing");
 }
 
-TEST_CASE_FIXTURE(Folder, "a known format's first bytes are not read as headerless samples") {
+TEST_CASE_FIXTURE(Folder,
+                  "a file with a known format's first bytes is refused as headerless samples") {
   const std::vector<std::pair<std::string, std::string>> heads = {
       {"NRRD0004\n", "NRRD"},
       {"ObjectType = Image\n", "MetaImage"},
@@ -71,7 +74,9 @@ TEST_CASE_FIXTURE(Folder, "a known format's first bytes are not read as headerle
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a file named as a format with a header is no headerless samples") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "a file with the extension of a format with a header is refused as headerless samples") {
   for (const std::string name : {"v.nrrd", "v.nii.gz", "v.mhd"})
     check_refused(write(name, u8), layout_of(SampleType::u8),
                   "this name has the extension of a format with a header");

@@ -36,7 +36,8 @@ TEST_CASE_FIXTURE(Folder, "a pipe is read like a file with the same content") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a pipe that claims a large volume needs memory only for its samples") {
+TEST_CASE_FIXTURE(
+    Folder, "a pipe whose header claims a large volume uses memory only for the samples received") {
   const auto pipe = path() / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   const std::string claim = nrrd(nrrd_u8, "32766 32766 1000000") + "\n" + u8;
@@ -45,7 +46,8 @@ TEST_CASE_FIXTURE(Folder, "a pipe that claims a large volume needs memory only f
   writer.join();
 }
 
-TEST_CASE_FIXTURE(Workshop, "standard input and the file give the same stream and picture") {
+TEST_CASE_FIXTURE(Workshop,
+                  "extract and render give the same results for standard input as for the file") {
   write("v.nrrd", nrrd_file);
   write("v.raw", u8);
   done("extract v.nrrd --iso 100 -o file.dmc");
@@ -66,8 +68,7 @@ TEST_CASE_FIXTURE(Workshop, "standard input and the file give the same stream an
 }
 
 TEST_CASE_FIXTURE(
-    Workshop,
-    "options with a second pass are refused before reading, and surplus samples after it") {
+    Workshop, "standard input refuses options that read the volume twice, and surplus samples") {
   write("v.nrrd", nrrd_file);
   write("v.raw", u8 + "x");
   const auto check = [&](const std::string& source, const std::string& arguments,

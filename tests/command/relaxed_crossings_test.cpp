@@ -52,7 +52,7 @@ double mean_distance(const FaceMesh& mesh, double middle, double radius) {
 
 }  // namespace
 
-TEST_CASE("polygons cross the same edges as the samples, in the middle") {
+TEST_CASE("crossings of polygons are in the middle of the edges that the samples cross") {
   for (const Border border : {Border::closed, Border::open})
     for (const Field& field : {noise({9, 7, 6}, 1), ball(12, 4), noise({2, 5, 4}, 2)}) {
       const Extracted of = extracted(field, SampleType::u8, {1, 1, 1}, border);
@@ -70,7 +70,8 @@ TEST_CASE("polygons cross the same edges as the samples, in the middle") {
     }
 }
 
-TEST_CASE("a relaxed surface is closed, keeps every voxel on its side and intersects nowhere") {
+TEST_CASE(
+    "a relaxed surface is closed, keeps every voxel on its side and does not intersect itself") {
   for (const double tolerance : {0.0, 0.05})
     for (const Field& field :
          {noise({9, 8, 7}, 3), noise({14, 5, 8}, 4), ball(13, 4.7), slope(0.3, 0.1)}) {
@@ -90,7 +91,7 @@ TEST_CASE("a relaxed surface is closed, keeps every voxel on its side and inters
     }
 }
 
-TEST_CASE("crossings in the middle intersect in no configuration of a cell, so relaxing ends") {
+TEST_CASE("crossings in the middle of edges cause no intersections in any cell configuration") {
   for (int configuration = 1; configuration < 256; ++configuration) {
     const Field field = field_of({2, 2, 2}, [=](double x, double y, double z) {
       const int corner = static_cast<int>(x + 2 * y + 4 * z);
@@ -104,7 +105,7 @@ TEST_CASE("crossings in the middle intersect in no configuration of a cell, so r
   }
 }
 
-TEST_CASE("separate() leaves no intersecting faces in noise") {
+TEST_CASE("separate() removes all intersections between faces of a noisy surface") {
   // With all crossings far from the middle, some faces of noise intersect.
   const Field field = noise({12, 12, 12}, 8);
   const Extracted of = extracted(field);
@@ -118,7 +119,7 @@ TEST_CASE("separate() leaves no intersecting faces in noise") {
   CHECK(crossing_pairs(mesh_of(of, &crossings, 0)) == 0);
 }
 
-TEST_CASE("a flat surface stays flat") {
+TEST_CASE("relaxing keeps a flat surface flat") {
   for (const Field& field : {slope(0, 0), slope(1, 0), slope(-1, 1)}) {
     const Extracted of = extracted(field);
     const Crossings crossings = relaxed(field, of, 0);
@@ -130,7 +131,8 @@ TEST_CASE("a flat surface stays flat") {
   }
 }
 
-TEST_CASE("the rim of a surface is rounded at a closed border, and flat at an open one") {
+TEST_CASE(
+    "relaxing rounds the rim of a surface at a closed border, and keeps an open border flat") {
   for (const Border border : {Border::closed, Border::open}) {
     const Field field = slope(0, 0);
     const Extracted of = extracted(field, SampleType::u8, {1, 1, 1}, border);
@@ -155,7 +157,7 @@ TEST_CASE("a relaxed ball is closer to the sphere than midpoints, in position an
   CHECK(mean_angle(relaxed, middle) < 0.7 * mean_angle(merged, middle));
 }
 
-TEST_CASE("polygons that span too many rows are refused") {
+TEST_CASE("relaxing refuses polygons that span too many rows") {
   Polygons polygons;
   polygons.add_polygon(discmc::incidence_of({1, 1, 1}));
   const Vertex corners[] = {{1, 0, 0}, {1, 60000, 0}, {1, 0, 60000}};

@@ -28,7 +28,7 @@ struct Volumes : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Volumes, "a volume is drawn like its stream with normals") {
+TEST_CASE_FIXTURE(Volumes, "render draws a volume like its stream with normals") {
   done("extract v.nrrd --iso 100 --normals gradient -o normals.dmc");
   for (const std::string look : {"", " --shade smooth", " --shade smooth --edges", " --edges"}) {
     INFO(look);
@@ -42,7 +42,9 @@ TEST_CASE_FIXTURE(Volumes, "a volume is drawn like its stream with normals") {
   CHECK(picture("v.nrrd --iso 100 --capacities 20,0 --edges") == outlined);
 }
 
-TEST_CASE_FIXTURE(Volumes, "any file is a volume if a threshold is given, else a stream") {
+TEST_CASE_FIXTURE(
+    Volumes,
+    "without a known extension, render reads a volume if --iso is given, otherwise a stream") {
   shell("cp v.raw samples; cp v.nrrd headed; cp v.dmc stream");
   const std::string expected = picture("v.dmc");
   CHECK(picture("samples --iso 100" + raw_layout) == expected);
@@ -50,7 +52,7 @@ TEST_CASE_FIXTURE(Volumes, "any file is a volume if a threshold is given, else a
   CHECK(picture("stream") == expected);
 }
 
-TEST_CASE_FIXTURE(Volumes, "a picture without any of the surface is noted") {
+TEST_CASE_FIXTURE(Volumes, "render notes a picture that shows no part of the surface") {
   const std::string note = "p.png: no part of the surface is in the picture; change --at or --zoom";
   CHECK(contains(run("render v.dmc --at 900,0,0 --zoom 9 -o p.png").error, note));
   CHECK(!contains(run("render v.dmc -o p.png").error, note));
@@ -59,7 +61,8 @@ TEST_CASE_FIXTURE(Volumes, "a picture without any of the surface is noted") {
 }
 
 TEST_CASE_FIXTURE(Volumes,
-                  "render --classic draws another picture, equal for a file and its raw samples") {
+                  "render --classic draws the classic Marching Cubes mesh, equally for a file and "
+                  "its raw samples") {
   const std::string classic = picture("v.nrrd --iso 100 --classic");
   CHECK(classic != picture("v.nrrd --iso 100"));
   CHECK(classic != picture("v.nrrd --iso 100 --classic --shade smooth"));
@@ -67,7 +70,8 @@ TEST_CASE_FIXTURE(Volumes,
   CHECK(classic == picture("v.raw --iso 100 --classic" + raw_layout));
 }
 
-TEST_CASE_FIXTURE(Volumes, "values above a range or a label are not drawn with any shading") {
+TEST_CASE_FIXTURE(Volumes,
+                  "render draws no voxels above a range or label, in flat and smooth shading") {
   std::string one, both;
   for (int i = 0; i < 12 * 12 * 12; ++i) {
     const int x = i % 12, y = i / 12 % 12, z = i / 144;
@@ -85,7 +89,7 @@ TEST_CASE_FIXTURE(Volumes, "values above a range or a label are not drawn with a
   fails("render one.raw --label 3 --classic -o v.png" + layout, 2, {"--classic", "--label"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "a picture may be zoomed and show a given place") {
+TEST_CASE_FIXTURE(Volumes, "render --zoom enlarges the picture, and --at selects the place shown") {
   const std::string whole = picture("v.dmc");
   CHECK(picture("v.dmc --zoom 1") == whole);
   const std::string near = picture("v.dmc --zoom 3");
@@ -94,7 +98,7 @@ TEST_CASE_FIXTURE(Volumes, "a picture may be zoomed and show a given place") {
   fails("render v.dmc -o o.png --view 0,0,1 --at 0,0,1e6", 1, {"behind the viewer"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "wrong usage of render is reported, and no file is written") {
+TEST_CASE_FIXTURE(Volumes, "wrong usage of render is reported, and no picture is written") {
   const std::pair<std::string, std::string> wrong[] = {
       {"v.nrrd", "v.nrrd: a volume needs a threshold; give --iso"},
       {"v.raw" + raw_layout, "give --iso"},
@@ -124,7 +128,8 @@ TEST_CASE_FIXTURE(Volumes, "wrong usage of render is reported, and no file is wr
             {"--output: ", braces + " is no placeholder here"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "a mesh of the command is drawn like its surface") {
+TEST_CASE_FIXTURE(Volumes,
+                  "render draws a mesh file written by extract like the surface of its stream") {
   if (contains(run("compare v.dmc none.stl").error, "without Assimp")) return;
   const std::string expected = picture("v.dmc");
   for (const std::string name : {"v.stl", "v.ply", "v.obj"}) {
@@ -138,7 +143,7 @@ TEST_CASE_FIXTURE(Volumes, "a mesh of the command is drawn like its surface") {
     fails("render v.stl " + option + " -o v.png", 2, {"v.stl is a mesh"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "labels are drawn each in its colour") {
+TEST_CASE_FIXTURE(Volumes, "render --labels draws each label in its own colour") {
   const std::string both = picture("v.nrrd --labels all");
   CHECK(picture("v.nrrd --labels 10,200") == both);
   CHECK(picture("v.nrrd --labels 200") != picture("v.nrrd --label 200"));
@@ -147,7 +152,7 @@ TEST_CASE_FIXTURE(Volumes, "labels are drawn each in its colour") {
   fails("render v.dmc --labels all -o v.png", 2, {"is a stream"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "a table names and colours the labels that are drawn") {
+TEST_CASE_FIXTURE(Volumes, "render --label-table names and colours the labels") {
   write("t.txt", "10 air 0 0 255\n200 bone 255 0 0\n");
   const std::string table = " --label-table t.txt";
   const std::string named = picture("v.nrrd --labels bone" + table);
@@ -158,7 +163,7 @@ TEST_CASE_FIXTURE(Volumes, "a table names and colours the labels that are drawn"
         {"--label-table", "add --label N or --labels all"});
 }
 
-TEST_CASE_FIXTURE(Volumes, "a mesh file is drawn in its own colours") {
+TEST_CASE_FIXTURE(Volumes, "render draws a mesh file in its own colours") {
   if (contains(run("compare v.dmc none.stl").error, "without Assimp")) return;
   const std::string both = picture("v.nrrd --labels all");
   for (const std::string format : {"glb", "3mf"}) {
@@ -174,7 +179,7 @@ TEST_CASE_FIXTURE(Volumes, "a mesh file is drawn in its own colours") {
   }
 }
 
-TEST_CASE_FIXTURE(Volumes, "a mesh on standard input is refused with the remedy") {
+TEST_CASE_FIXTURE(Volumes, "render refuses a mesh on standard input with the remedy") {
   done("extract v.nrrd --iso 100 -o v.stl");
   for (const std::string command : {"render - -o v.png", "view - -o v.html"}) {
     check_failure(

@@ -8,7 +8,8 @@ using namespace volume_files;
 using command_tests::check_failure;
 using command_tests::Workshop;
 
-TEST_CASE_FIXTURE(Folder, "formats are named by their first bytes, with a remedy") {
+TEST_CASE_FIXTURE(
+    Folder, "unsupported formats are recognized by their first bytes and refused with a remedy") {
   const std::pair<std::string, std::string> cases[] = {
       {"HSF-OCT-103", "this is Heidelberg OCT"},
       {"FOCTFDA", "this is Topcon OCT"},
@@ -92,7 +93,8 @@ std::string placed_mask(const std::string& samples, bool is_reversed) {
       .file(samples);
 }
 
-TEST_CASE_FIXTURE(Folder, "masks whose axes run the other way are turned") {
+TEST_CASE_FIXTURE(Folder,
+                  "masks whose axes run in other directions than the first mask's are turned") {
   std::string on(24, '\0'), reversed(24, '\0');
   for (const std::size_t row : {0U, 2U, 5U}) {
     on[4 * row + 1] = 1;
@@ -110,7 +112,8 @@ TEST_CASE_FIXTURE(Folder, "masks whose axes run the other way are turned") {
   check_refused(path(), options, "the mask lies elsewhere than 'a.nii'");
 }
 
-TEST_CASE_FIXTURE(Workshop, "masks beside a picture are the volume, and the picture is noted") {
+TEST_CASE_FIXTURE(Workshop,
+                  "masks in a folder with a picture are read as labels, and the picture is noted") {
   std::string on(24, '\0');
   on[5] = 1;
   write("seg/liver.nii", mask(on));
@@ -126,7 +129,8 @@ TEST_CASE_FIXTURE(Workshop, "masks beside a picture are the volume, and the pict
         {"'m.stl' is an unexpected argument; name the output with -o m.stl"});
 }
 
-TEST_CASE_FIXTURE(Folder, "a folder of one volume is that volume, and others are listed") {
+TEST_CASE_FIXTURE(
+    Folder, "a folder with one volume file is read as the volume, and several volumes are listed") {
   write("a/b/v.npy", npy("|u1", "4, 3, 5", u8));
   write("a/notes.txt", "...");
   CHECK(read_info(path()).dims == Dims{5, 3, 4});
@@ -141,7 +145,7 @@ TEST_CASE_FIXTURE(Folder, "a folder of one volume is that volume, and others are
   CHECK(read_info(path()).dims == Dims{5, 3, 4});
 }
 
-TEST_CASE_FIXTURE(Workshop, "labels that no voxel has are noted, and those that shrinking loses") {
+TEST_CASE_FIXTURE(Workshop, "labels that no voxel has, and labels that --shrink loses, are noted") {
   std::string samples(4 * 4 * 4, '\1');
   samples[21] = 2;
   write("v.raw", samples);
@@ -152,7 +156,8 @@ TEST_CASE_FIXTURE(Workshop, "labels that no voxel has are noted, and those that 
                  "--shrink loses 2, the most frequent of no block"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "regions of nnU-Net are the unions of their labels") {
+TEST_CASE_FIXTURE(Workshop,
+                  "regions of nnU-Net's dataset.json are meshes of the union of their labels") {
   write("v.raw", std::string({1, 0, 2, 0, 3, 0, 0, 4}));
   write("t.json", R"({"labels": {"background": 0, "all": [1, 2, 3], "core": [2, 3], "x": 3}})");
   const auto result =
@@ -167,7 +172,8 @@ TEST_CASE_FIXTURE(Workshop, "regions of nnU-Net are the unions of their labels")
   CHECK(read("all.stl") == read("u.stl"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "volumes of a file are no labels; the refusal has the remedy") {
+TEST_CASE_FIXTURE(Workshop,
+                  "--labels refuses a file of several volumes, and the message advises --frame") {
   write("v.nii", Nifti().dims({4, 2, 2, 2, 3}).file(std::string(24, '\1')));
   fails("extract v.nii --labels all -o v.glb", 1,
         {"choose one with --frame N", "with --frame 0 to 2, each with --label 1"});
@@ -176,7 +182,7 @@ TEST_CASE_FIXTURE(Workshop, "volumes of a file are no labels; the refusal has th
         {"if each is the probability of a label, extract them with --frame 0 to 2", "--iso 0.5"});
 }
 
-TEST_CASE_FIXTURE(Folder, "frames that are tracked in different poses are no slices") {
+TEST_CASE_FIXTURE(Folder, "MetaImage frames tracked in different poses are refused as slices") {
   const auto sequence = [](const std::string& second) {
     return metaimage(metaimage_u8 + "Seq_Frame0000_ProbeToTrackerTransform = 1 0 0 0\n" +
                      "Seq_Frame0000_ProbeToTrackerTransformStatus = OK\n" +
@@ -188,7 +194,7 @@ TEST_CASE_FIXTURE(Folder, "frames that are tracked in different poses are no sli
   CHECK(read_info(write("b.mha", sequence("1 0 0 0"))).dims[2] == 4);
 }
 
-TEST_CASE_FIXTURE(Folder, "the fourth dimension of space in NRRD of ITK is time") {
+TEST_CASE_FIXTURE(Folder, "the fourth space dimension of NRRD files by ITK is time") {
   const auto file =
       write("v.nrrd", nrrd(nrrd_u8 + "space dimension: 4\nkinds: domain domain domain domain\n"
                                      "space directions: (2,0,0,0) (0,3,0,0) (0,0,4,0) (0,0,0,1)\n"
@@ -200,7 +206,7 @@ TEST_CASE_FIXTURE(Folder, "the fourth dimension of space in NRRD of ITK is time"
   CHECK(read_all(*reader)[0] == 'A');
 }
 
-TEST_CASE_FIXTURE(Folder, "the origin of SPM places Analyze, with x from right to left") {
+TEST_CASE_FIXTURE(Folder, "SPM's origin places an Analyze volume, with x from right to left") {
   Nifti header;
   header.pair().real(80, 2).real(84, 3).real(88, 4);
   header.integer(253, 2, 2).integer(255, 2, 3).integer(257, 2, 1);
@@ -215,7 +221,7 @@ TEST_CASE_FIXTURE(Folder, "the origin of SPM places Analyze, with x from right t
   CHECK(noted(info, "the origin is SPM's"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "a single distance holds for all axes") {
+TEST_CASE_FIXTURE(Workshop, "a single value of --spacing applies to all axes") {
   write("v.raw", std::string(8, '\1'));
   CHECK(contains(done("info v.raw --dims 2,2,2 --type u8 --spacing 0.0025"),
                  "spacing 0.0025 0.0025 0.0025\n"));
@@ -224,7 +230,7 @@ TEST_CASE_FIXTURE(Workshop, "a single distance holds for all axes") {
 }
 
 TEST_CASE_FIXTURE(Workshop,
-                  "a path into a zip opens that file alone, and cannot lead out of the zip") {
+                  "a path into a zip opens only that file, and cannot lead out of the zip") {
   write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8);
   if (shell("mkdir s && cp v.nrrd s/a.nrrd && cp v.nrrd s/b.nrrd && "
             "python3 -m zipfile -c s.mrb s")

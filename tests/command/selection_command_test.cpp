@@ -16,7 +16,7 @@ struct Ramp : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Ramp, "a range includes both ends") {
+TEST_CASE_FIXTURE(Ramp, "--range includes its lower and upper end") {
   // The voxels from 8 to 236 without those from 104 on are those from 8 to 100.
   done(ramp + "--range 8..100 -o range.jsonl");
   done(ramp + "--range 7.5..103.5 -o wider.jsonl");
@@ -31,13 +31,14 @@ TEST_CASE_FIXTURE(Ramp, "a range includes both ends") {
   CHECK(read("lower.jsonl") == read("first_two.jsonl"));
 }
 
-TEST_CASE_FIXTURE(Ramp, "a label selects the voxels of one value") {
+TEST_CASE_FIXTURE(Ramp, "--label selects the voxels of one value") {
   CHECK(contains(done(ramp + "--label 12 -o v.stl"), "classic Marching Cubes: 8 triangles"));
   CHECK(contains(done(ramp + "--label 13 --allow-empty -o v.stl"),
                  "classic Marching Cubes: 0 triangles"));
 }
 
-TEST_CASE_FIXTURE(Ramp, "each of several surfaces is written to a mesh file with its name") {
+TEST_CASE_FIXTURE(
+    Ramp, "each of several surfaces is written to a mesh file named after its threshold or range") {
   const std::string output = done(ramp + "--iso 100 --iso 20.5 --iso=-1 -o '{name} of v.stl'");
   for (const std::string iso : {"100", "20.5", "-1"}) {
     CHECK(contains(output, iso + " of v.stl: "));
@@ -49,7 +50,7 @@ TEST_CASE_FIXTURE(Ramp, "each of several surfaces is written to a mesh file with
   CHECK(read("v0..5.ply") == read("alone.ply"));
 }
 
-TEST_CASE_FIXTURE(Ramp, "a range is encoded in streams of both kinds") {
+TEST_CASE_FIXTURE(Ramp, "--range is encoded in streams of regions and of slices") {
   done(ramp + "--range 8..100 -o v.jsonl");
   for (const std::string wire : {"regions", "slices"}) {
     done(ramp + "--range 8..100 --wire " + wire + " -o v.dmc");
@@ -58,7 +59,8 @@ TEST_CASE_FIXTURE(Ramp, "a range is encoded in streams of both kinds") {
   }
 }
 
-TEST_CASE_FIXTURE(Ramp, "invalid selections are refused before any work") {
+TEST_CASE_FIXTURE(Ramp,
+                  "invalid values of --iso, --range and --label are refused before any work") {
   fails(ramp + "-o v.stl", 2, {"--iso", "--range", "--label"});
   fails(ramp + "--range 9..8 -o v.stl", 2, {"'9..8'", "LOW..HIGH"});
   fails(ramp + "--range 9 -o v.stl", 2, {"'9'", "LOW..HIGH"});

@@ -44,8 +44,8 @@ std::vector<int> selected(SampleType type, const std::vector<Sample>& samples,
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a range selects exactly the whole numbers within it", Sample, std::uint8_t,
-                   std::int8_t) {
+TEST_CASE_TEMPLATE("a range selects exactly the integer samples within its ends", Sample,
+                   std::uint8_t, std::int8_t) {
   for (const double slope : {1.0, 0.1, 0.3, 1.0 / 3, 2.5})
     for (const double intercept : {0.0, 0.1, -1024.0})
       for (int low = -140; low <= 270; low += 7)
@@ -60,13 +60,13 @@ TEST_CASE_TEMPLATE("a range selects exactly the whole numbers within it", Sample
         }
 }
 
-TEST_CASE("a threshold between whole numbers selects from the next one on") {
+TEST_CASE("a threshold between integers selects samples from the next larger integer on") {
   CHECK(range<std::int16_t>({499.5}).low == 500);
   CHECK(range<std::int16_t>({-2.5, 3.5}).low == -2);
   CHECK(range<std::int16_t>({-2.5, 3.5}).high == 3);
 }
 
-TEST_CASE("thresholds beyond the samples select all or none") {
+TEST_CASE("thresholds outside the range of the sample type select all voxels or none") {
   CHECK(range<std::uint8_t>({-1}).low == 0);
   CHECK(range<std::uint8_t>({-infinity}).low == 0);
   CHECK(is_empty(range<std::uint8_t>({255.5})));
@@ -77,21 +77,21 @@ TEST_CASE("thresholds beyond the samples select all or none") {
   CHECK(is_empty(range<std::uint64_t>({1e300})));
 }
 
-TEST_CASE("whole numbers of 64 bits keep all their digits") {
+TEST_CASE("thresholds for 64-bit integers keep all their digits") {
   constexpr std::int64_t large = std::int64_t{1} << 53;
   CHECK(range<std::int64_t>({static_cast<double>(large)}).low == large);
   CHECK(range<std::uint64_t>({1e18}).low == 1000000000000000000U);
   CHECK(range<std::int64_t>({-1e18}).low == -1000000000000000000);
 }
 
-TEST_CASE("a floating-point sample that is stored as the threshold is on") {
+TEST_CASE("a floating-point sample equal to the threshold rounded to the sample type is on") {
   CHECK(range<float>({0.35}).low == 0.35F);  // which is below 0.35 of 64 bits
   CHECK(range<double>({0.35}).low == 0.35);
   CHECK(range<float>({0.1, 0.35}).high == 0.35F);
   CHECK(range<float>({0.35}, scaled(2, 0.15)).low == 0.1F);
 }
 
-TEST_CASE("bits have the order of the samples, and unused ones are off") {
+TEST_CASE("selected bits are in the order of the samples, and unused bits are off") {
   const std::vector<std::int32_t> samples = {-5,    70000, 3, 4,     70001,
                                              69999, 70000, 0, 80000, -70000};
   CHECK(selected(SampleType::i32, samples, {70000}) ==
@@ -100,7 +100,7 @@ TEST_CASE("bits have the order of the samples, and unused ones are off") {
         std::vector<int>{0, 1, 1, 1, 0, 1, 1, 0, 0, 0});
 }
 
-TEST_CASE("samples that are not a number are off and counted") {
+TEST_CASE("a selection counts NaN samples and leaves their voxels off") {
   const float nan = std::nanf("");
   const std::vector<float> samples = {nan, 1, -1, nan, std::numeric_limits<float>::infinity()};
   CHECK(selected(SampleType::f32, samples, {0}) == std::vector<int>{0, 1, 0, 0, 1});

@@ -57,7 +57,7 @@ void check_near_samples(const Field& field, std::uint8_t levels) {
 
 }  // namespace
 
-TEST_CASE("a stream with fractions has the crossings of the samples, within half a level") {
+TEST_CASE("crossings in a stream with levels are within half a level of the samples' crossings") {
   for (const std::uint8_t levels : {std::uint8_t{2}, std::uint8_t{4}})
     for (const Field& field : {ball(15, 5.2), noise({11, 9, 8}, 6), noise({33, 3, 4}, 7)}) {
       check_near_samples<std::uint8_t>(field, levels);
@@ -67,7 +67,8 @@ TEST_CASE("a stream with fractions has the crossings of the samples, within half
 }
 
 TEST_CASE(
-    "relaxed crossings stay in the intervals of their fractions and are closer to the samples") {
+    "relaxed crossings of a stream with levels stay in their level's interval and are more "
+    "accurate") {
   const Field field = ball(24, 9.3);
   const Extracted of = extracted(field);
   const ReceivedFractions received(encoded<std::uint8_t>(field, 2));

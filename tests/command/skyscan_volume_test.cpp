@@ -40,7 +40,7 @@ std::vector<double> samples(const Bmp& bmp, std::optional<std::uint32_t> channel
   return read_all(*open_volume(folder.write("v.bmp", bmp.bytes()), of_channel(channel)));
 }
 
-TEST_CASE("rows of BMP begin with the lowest, unless its height is negative") {
+TEST_CASE("BMP rows begin with the lowest, unless the height is negative") {
   Bmp bmp;
   CHECK(samples(bmp) == std::vector<double>{4, 5, 6, 1, 2, 3});
   bmp.is_from_the_top = true;
@@ -49,7 +49,7 @@ TEST_CASE("rows of BMP begin with the lowest, unless its height is negative") {
   CHECK(samples(bmp) == std::vector<double>{1, 2, 3, 4, 5, 6});
 }
 
-TEST_CASE("BMP of few bits and of colours is read") {
+TEST_CASE("BMP of less than 8 bits, and a channel of a colour BMP, are read") {
   Bmp bits;
   bits.bits = 1;
   bits.palette = little(0, 4) + little(0xffffff, 4);
@@ -71,7 +71,7 @@ TEST_CASE("BMP of few bits and of colours is read") {
   CHECK(samples(colours, 1) == std::vector<double>{'g', 'G', '5', 'g', 'G', '2'});
 }
 
-TEST_CASE_FIXTURE(Folder, "a palette of colours is noted, and a palette of greys is applied") {
+TEST_CASE_FIXTURE(Folder, "a BMP palette of greys is applied, and a palette of colours is noted") {
   Bmp bmp;
   bmp.palette = little(0, 4) + little(0xff0000, 4) + std::string(254 * 4, '\1');
   const auto reds = open_volume(write("v.bmp", bmp.bytes()));
@@ -82,7 +82,7 @@ TEST_CASE_FIXTURE(Folder, "a palette of colours is noted, and a palette of greys
   CHECK(samples(bmp) == std::vector<double>{251, 250, 249, 254, 253, 252});
 }
 
-TEST_CASE_FIXTURE(Folder, "pictures whose palettes differ are refused") {
+TEST_CASE_FIXTURE(Folder, "BMP pictures whose palettes differ are refused") {
   Bmp bmp;
   bmp.palette = little(0, 4) + little(0xff0000, 4) + std::string(254 * 4, '\1');
   write("a1.bmp", bmp.bytes());
@@ -91,7 +91,7 @@ TEST_CASE_FIXTURE(Folder, "pictures whose palettes differ are refused") {
   check_refused(path(), "has another palette, unlike a1.bmp");
 }
 
-TEST_CASE_FIXTURE(Folder, "BMP of other kinds, or cut off, is refused") {
+TEST_CASE_FIXTURE(Folder, "unsupported or truncated BMP is refused") {
   Bmp packed;
   packed.compression = 1;
   check_refused(write("v.bmp", packed.bytes()), "of 8 bits and compression 1");
@@ -119,7 +119,7 @@ class SkyScan : public Folder {
   }
 };
 
-TEST_CASE("the spacing of slices is that of the reconstruction in SkyScan's log") {
+TEST_CASE("the spacing of SkyScan slices is the pixel size of the reconstruction in the log") {
   const SkyScan scan(
       "Result Image Width (pixels)=3\r\nResult Image Height (pixels)=2\r\n"
       "Section to Section Step=2\r\nPixel Size (um)=12.50\r\n");
@@ -134,7 +134,9 @@ TEST_CASE("the spacing of slices is that of the reconstruction in SkyScan's log"
   CHECK(read_info(scan.path(), {{}, Spacing{1, 2, 3}}).spacing_mm == Spacing{1, 2, 3});
 }
 
-TEST_CASE("a log for slices of another size is ignored; without a pixel size, the scan's applies") {
+TEST_CASE(
+    "a SkyScan log for slices of another size is ignored; without a reconstructed pixel size, the "
+    "scan's applies") {
   const SkyScan other("Result Image Width (pixels)=1000\r\nPixel Size (um)=12.50\r\n");
   CHECK(noted(read_info(other.path()),
               "'s_rec.log' describes slices of another size, and is not used"));
@@ -147,7 +149,7 @@ TEST_CASE("a log for slices of another size is ignored; without a pixel size, th
   CHECK(noted(read_info(elsewhere.path()), "no spacing given"));
 }
 
-TEST_CASE("an overview is read if no slice is named") {
+TEST_CASE("without files named as slices, SkyScan's overview is read") {
   const SkyScan scan("");
   CHECK(read_info(scan.path() / "s_rec_spr.bmp").dims[2] == 1);
 }

@@ -84,7 +84,7 @@ struct Slabs : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Slabs, "slabs of any thickness are joined to the regions of one sweep") {
+TEST_CASE_FIXTURE(Slabs, "join gives the regions of the whole volume for slabs of any thickness") {
   for (const std::string options :
        {"", "--border open ", "--median 3 ", "--memory 1024 ", "--crop 2..12,0..10,1..7 "}) {
     done(volume + options + "-o whole.dmc");
@@ -101,7 +101,9 @@ TEST_CASE_FIXTURE(Slabs, "slabs of any thickness are joined to the regions of on
   }
 }
 
-TEST_CASE_FIXTURE(Slabs, "slabs of several parts are joined to the regions of one sweep") {
+TEST_CASE_FIXTURE(
+    Slabs,
+    "join gives the regions of the whole volume for slabs that are extracted in several parts") {
   std::string samples = rough_samples(20, 20, 80);
   // A plate with many holes does not fit a packet.
   for (int i = 30 * 400; i < 34 * 400; ++i)
@@ -124,7 +126,7 @@ TEST_CASE_FIXTURE(Slabs, "slabs of several parts are joined to the regions of on
   }
 }
 
-TEST_CASE_FIXTURE(Slabs, "slabs may be joined step by step, and a missing one is named") {
+TEST_CASE_FIXTURE(Slabs, "slabs may be joined in several steps, and missing slices are listed") {
   done(volume + "-o whole.dmc");
   write_slabs(9);
   const Result part = run("join part1.dmc part2.dmc part5.dmc part9.dmc -o part.dmc");
@@ -140,7 +142,8 @@ TEST_CASE_FIXTURE(Slabs, "slabs may be joined step by step, and a missing one is
   CHECK_FALSE(contains(done("info all.dmc"), "slab"));
 }
 
-TEST_CASE_FIXTURE(Slabs, "the report of a join matches its output, also with a truncated slab") {
+TEST_CASE_FIXTURE(Slabs,
+                  "the report of join matches its output, also if a slab is truncated or missing") {
   write_slabs(3);
   const std::string cut = read("part2.dmc");
   write("cut.dmc", cut.substr(0, cut.size() * 3 / 4));
@@ -157,7 +160,7 @@ TEST_CASE_FIXTURE(Slabs, "the report of a join matches its output, also with a t
   }
 }
 
-TEST_CASE_FIXTURE(Slabs, "join finds the depth of a volume in the records of its slabs") {
+TEST_CASE_FIXTURE(Slabs, "join reads the depth of the volume from the slabs' records") {
   done(volume + "-o whole.dmc");
   write_slabs(3);
   for (const std::string part : {"part1.dmc", "part2.dmc", "part3.dmc"}) forget_depth(part);
@@ -175,7 +178,7 @@ TEST_CASE_FIXTURE(Slabs, "join finds the depth of a volume in the records of its
                  "other.dmc: its slab is part of 8 slices, and the volume has 9"));
 }
 
-TEST_CASE_FIXTURE(Slabs, "streams that do not belong together are not joined") {
+TEST_CASE_FIXTURE(Slabs, "join refuses streams that are no slabs of one surface") {
   write_slabs(3);
   done("extract v.raw --dims 13,11,9 --type u8 --iso 51 -q --slab 2/3 -o other.dmc");
   done("extract v.raw --dims 13,11,9 --type u8 --iso 50 -q --wire slices -o slices.dmc");
@@ -200,7 +203,7 @@ TEST_CASE_FIXTURE(Workshop, "help and completions of join accept any number of s
   CHECK(contains(done("completions zsh"), "'*:FILE:_files'"));
 }
 
-TEST_CASE_FIXTURE(Slabs, "slices behind a slab are not read") {
+TEST_CASE_FIXTURE(Slabs, "extract --slab reads no slices behind the slab") {
   const Result result = shell(
       "head -c $((13 * 11 * 4)) v.raw | \"$discmc\" extract - --dims 13,11,9 --type u8 --iso 50 "
       "--spacing 1,1,1 --slab 1/3 -q -o first.dmc");

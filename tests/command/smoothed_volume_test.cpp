@@ -192,7 +192,8 @@ std::vector<int> parts_of_a_ball(int extent) {
 
 }  // namespace
 
-TEST_CASE("the distance is that to the nearest midpoint, for any spacing and limit") {
+TEST_CASE(
+    "the distance field gives the distance to the nearest midpoint for any spacing and limit") {
   for (const double limit : {3.5, 100.0}) {
     check_distances(discmc::reference::random({9, 8, 7}, 128, 1), {1, 1, 1}, limit);
     check_distances(discmc::reference::random({9, 8, 7}, 10, 2), {0.7, 1.1, 2.5}, limit);
@@ -202,7 +203,7 @@ TEST_CASE("the distance is that to the nearest midpoint, for any spacing and lim
   }
 }
 
-TEST_CASE("a blur keeps constants, and ramps away from the ends") {
+TEST_CASE("a Gaussian blur keeps constants, and ramps away from the borders") {
   const Grid grid{{24, 20, 22}, {1, 1, 2}};
   std::uint32_t z = 0;
   GaussianBlur blur(grid, 1.2, [&](float* slice) {
@@ -282,7 +283,7 @@ TEST_CASE("smoothing keeps voxels on their side and does not move flat faces") {
   CHECK(samples[block.index(15, 15, 5)] == doctest::Approx(-0.5).epsilon(0.01));
 }
 
-TEST_CASE_FIXTURE(Workshop, "--smooth accepts masks, labels, thresholds, and writes triangles") {
+TEST_CASE_FIXTURE(Workshop, "--smooth accepts masks, labels and thresholds, and writes triangles") {
   std::string bytes;
   for (const std::uint8_t on : ball_of_long_voxels().on) bytes += static_cast<char>(2 * on);
   write("v.raw", bytes);
@@ -306,7 +307,7 @@ TEST_CASE_FIXTURE(Workshop, "--smooth accepts masks, labels, thresholds, and wri
                    "invalid deviation '" + none + "'; expected auto, or 1e-6 to 1000 millimetres"));
 }
 
-TEST_CASE("a mask is cut before the rest is smoothed") {
+TEST_CASE("smoothing with a mask gives the same result as cutting by the mask before smoothing") {
   const BitVolume ball = ball_of_long_voxels();
   const BitVolume half = discmc::reference::box({60, 60, 22}, {0, 0, 0}, {30, 59, 21});
   BitVolume both = ball;
@@ -326,7 +327,7 @@ TEST_CASE("a mask is cut before the rest is smoothed") {
   }
 }
 
-TEST_CASE("labels are smoothed one by one, and keep their volumes") {
+TEST_CASE("labels are smoothed separately and keep their volumes") {
   const int extent = 48;
   const std::vector<int> samples = parts_of_a_ball(extent);
   SampleReader reader({48, 48, 48}, samples);
@@ -347,7 +348,9 @@ TEST_CASE("labels are smoothed one by one, and keep their volumes") {
                    .epsilon(0.01));
 }
 
-TEST_CASE("small labels keep their volumes, alone, beside and inside others, and in long voxels") {
+TEST_CASE(
+    "smoothing keeps the volumes of small labels alone, beside others, inside others and in long "
+    "voxels") {
   for (const Point& spacing : {Point{1, 1, 1}, Point{0.8, 0.8, 3}}) {
     std::vector<int> samples(40 * 30 * 24);
     const auto put = [&](int label, const std::array<int, 3>& first,
@@ -381,7 +384,9 @@ TEST_CASE("small labels keep their volumes, alone, beside and inside others, and
 
 // Labels lose volume along the edges of three labels. Sequential rounds would not move enough from
 // the outside to the centre.
-TEST_CASE("touching labels in a ball lack equal shares of the volume they cannot keep") {
+TEST_CASE(
+    "smoothing touching labels in a ball distributes the unavoidable loss of volume in equal "
+    "shares") {
   const int extent = 72, block = 6;
   std::vector<int> samples;
   for (int z = 0; z < extent; ++z)
@@ -403,7 +408,8 @@ TEST_CASE("touching labels in a ball lack equal shares of the volume they cannot
   CHECK(farthest < 0.015);
 }
 
-TEST_CASE("labels that fill the volume to its corners each lack an equal share of their volumes") {
+TEST_CASE(
+    "labels that fill the volume to its corners lose equal shares of their volumes in smoothing") {
   std::vector<int> samples;
   for (int i = 0; i < 24 * 20 * 20; ++i) samples.push_back(i % 24 < 4 && i / 24 % 20 < 4 ? 1 : 2);
   SampleReader reader({24, 20, 20}, samples);
@@ -431,7 +437,7 @@ TEST_CASE("smoothing refuses more than 1,024 scattered labels, and reports each 
   CHECK(progress == std::vector<std::uint32_t>{1, 2, 3, 4});
 }
 
-TEST_CASE("any number of scattered values are labels") {
+TEST_CASE("smoothing accepts any number of scattered label values if few are close together") {
   // The labels exceed the limit per slice if they are scattered, but few are close together.
   std::vector<int> samples;
   for (int i = 0; i < 2 * static_cast<int>(max_scattered_labels); ++i)
@@ -441,7 +447,7 @@ TEST_CASE("any number of scattered values are labels") {
   CHECK(smoothed_labels(reader, {}, 0.3, 0.05, {}).size() == 2 * max_scattered_labels);
 }
 
-TEST_CASE("a label in its box is smoothed as in the whole volume") {
+TEST_CASE("smoothing a label within its bounding box equals smoothing in the whole volume") {
   const BitVolume block = discmc::reference::box({40, 30, 20}, {20, 3, 2}, {33, 9, 12});
   std::vector<int> samples;
   for (const std::uint8_t on : block.on) samples.push_back(7 * on);
@@ -458,7 +464,7 @@ TEST_CASE("a label in its box is smoothed as in the whole volume") {
             doctest::Approx(of_whole.vertices_mm[i][axis]).epsilon(1e-4));
 }
 
-TEST_CASE("labels that are side by side share their smoothed surface") {
+TEST_CASE("adjacent labels share their smoothed surface") {
   std::vector<int> samples;
   for (int i = 0; i < 30 * 20 * 20; ++i) samples.push_back(i % 30 < 17 ? 4 : 9);
   SampleReader reader({30, 20, 20}, samples);
@@ -475,7 +481,7 @@ TEST_CASE("labels that are side by side share their smoothed surface") {
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "--smooth with --labels writes a smooth mesh of each") {
+TEST_CASE_FIXTURE(Workshop, "--smooth with --labels writes a smooth mesh of each label") {
   std::string bytes;
   for (const int label : parts_of_a_ball(48)) bytes += static_cast<char>(label);
   write("v.raw", bytes);

@@ -46,7 +46,7 @@ auto normals_of(const Events& events) {
 
 }  // namespace
 
-TEST_CASE("regions, normals and totals are the same, in memory and through a file") {
+TEST_CASE("a joiner gives the same regions, normals and totals in memory and through a file") {
   const Events sent_pieces = pieces_with_normals();
   REQUIRE(count(sent_pieces, Event::Kind::fragment) > 1000);
   const Events in_memory = joined(sent_pieces, plenty);
@@ -61,14 +61,14 @@ TEST_CASE("regions, normals and totals are the same, in memory and through a fil
   }
 }
 
-TEST_CASE("the statistics of several streams through a file are their sum") {
+TEST_CASE("the statistics of several streams joined through a file are summed") {
   Events twice = pieces_with_normals();
   const Events once = twice;
   twice.insert(twice.end(), once.begin(), once.end());
   CHECK(joined(twice, 1).back() == joined(twice, plenty).back());
 }
 
-TEST_CASE("pieces without a partner are delivered loose, through a file as well") {
+TEST_CASE("a joiner delivers fragments without a partner loose, in memory and through a file") {
   Events sent_pieces = pieces_with_normals();
   const auto is_fragment = [](const auto& one) { return one.is(Event::Kind::fragment); };
   const auto first = std::find_if(sent_pieces.begin(), sent_pieces.end(), is_fragment);
@@ -82,7 +82,7 @@ TEST_CASE("pieces without a partner are delivered loose, through a file as well"
   CHECK(normals_of(spilled) == normals_of(in_memory));
 }
 
-TEST_CASE("the loss of a fragment loses no other piece, through a file as well") {
+TEST_CASE("the loss of a fragment loses no other fragment, in memory and through a file") {
   Events sent_pieces = pieces_with_normals();
   Event lost{};
   lost.kind = Event::Kind::lost;

@@ -35,7 +35,7 @@ void check_advice(const std::vector<std::string>& names, const std::string& what
   CHECK(slices(advised(text)) == expected);
 }
 
-TEST_CASE("names that count in two numbers are several stacks") {
+TEST_CASE("picture names with two counting numbers form one stack per value of one number") {
   const std::string what = "the names count in several numbers";
   check_advice({"img_z000_c0.png", "img_z000_c1.png", "img_z001_c0.png", "img_z001_c1.png",
                 "img_z002_c0.png", "img_z002_c1.png"},
@@ -50,7 +50,7 @@ TEST_CASE("names that count in two numbers are several stacks") {
   check_advice({"0001_c0.png", "0002_c1.png", "0003_c0.png", "0004_c1.png"}, what, "*_c0.png", 2);
 }
 
-TEST_CASE("names that differ in more than numbers are several stacks") {
+TEST_CASE("picture names that differ in more than numbers are refused as several stacks") {
   check_advice({"bone1.png", "bone2.png", "bone3.png", "dye1.png", "dye2.png"},
                "names of 2 kinds, such as 'bone1.png' (3) and 'dye1.png' (2)", "bone*.png", 3);
   check_advice({"s1.png", "s2.png", "s3.png", "overview.png"},
@@ -62,25 +62,25 @@ TEST_CASE("names that differ in more than numbers are several stacks") {
                "s*[0-9].png", 3);
 }
 
-TEST_CASE("a pattern that selects two stacks is refused like their folder") {
+TEST_CASE("a pattern that selects two stacks of pictures is refused like the folder") {
   const Pictures pictures({"a_c0_1.png", "a_c0_2.png", "a_c1_1.png", "a_c1_2.png", "b_c0_1.png"});
   const std::string text = refusal(pictures.path() / "a_*.png");
   check_refusal(text, "count in several numbers");
   CHECK(slices(advised(text)) == 2);
 }
 
-TEST_CASE("a pattern is advised also for names that contain wildcards") {
+TEST_CASE("the pattern advised for a stack is valid even if picture names contain wildcards") {
   const Pictures pictures({"[a]*1.png", "[a]*2.png", "b1.png"});
   const std::string text = refusal(pictures.path());
   CHECK(slices(advised(text)) == 2);
 }
 
-TEST_CASE("if no pattern selects a stack, the refusal advises a folder of its own") {
+TEST_CASE("if no pattern selects a stack, the refusal advises a separate folder for the stack") {
   check_refused(Pictures({"a1b.png", "a2b.png", "a1b1b.png"}).path(),
                 "copy the pictures of one stack into a folder of their own");
 }
 
-TEST_CASE("names with a second number that varies with the first form one stack") {
+TEST_CASE("picture names with a second number that varies with the first form one stack") {
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"img_001_20210101.png", "img_002_20210102.png",
                                  "img_003_20210105.png"},
@@ -113,7 +113,7 @@ std::vector<int> read_order(const std::vector<std::string>& names,
   return order;
 }
 
-TEST_CASE("decimals and signs in names give the order") {
+TEST_CASE("decimals and signs in picture names determine the order of slices") {
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"s_0.5.png", "s_1.0.png", "s_1.5.png", "s_2.0.png"},
         {"z=8.50.png", "z=9.25.png", "z=10.00.png", "z=10.75.png"},
@@ -128,19 +128,22 @@ TEST_CASE("decimals and signs in names give the order") {
   }
 }
 
-TEST_CASE("a decimal missing among names is a missing slice") {
+TEST_CASE("a decimal missing among picture names is a missing slice") {
   const std::vector<std::string> names = {"s_0.0.png", "s_0.5.png", "s_1.0.png", "s_2.0.png"};
   CHECK(read_order(names, gaps_allowed) == std::vector<int>{0, 1, 2, 2, 3});
   check_refused(Pictures({"s_0.0.png", "s_0.5.png", "s_1.0.png", "s_2.0.png"}).path(),
                 "between s_1.0.png and s_2.0.png");
 }
 
-TEST_CASE("uneven decimals are refused, and the remedy names them") {
+TEST_CASE(
+    "unevenly spaced decimals in picture names are refused, and the message advises whole "
+    "numbers") {
   check_refused(Pictures({"s_0.5.png", "s_1.1.png", "s_1.9.png", "s_3.1.png"}).path(),
                 "if uneven decimals count them, rename them by whole numbers");
 }
 
-TEST_CASE("numbers beside a point are read as counters if they are not evenly spaced decimals") {
+TEST_CASE(
+    "numbers around a decimal point count separately if they form no evenly spaced decimals") {
   check_advice({"t1.7.png", "t1.8.png", "t2.7.png", "t2.8.png"},
                "the names count in several numbers", "t1.*.png", 2);
   for (const std::vector<std::string>& names :
@@ -154,14 +157,14 @@ TEST_CASE("numbers beside a point are read as counters if they are not evenly sp
   }
 }
 
-TEST_CASE("names whose numbers define no order are refused") {
+TEST_CASE("picture names whose numbers define no order are refused") {
   check_refused(Pictures({"id8_s1.png", "id3_s2.png", "id5_s3.png"}).path(),
                 "the numbers in the names give different orders");
   check_refused(Pictures({"s1.png", "s01.png", "s2.png"}).path(),
                 "two pictures have the same number");
 }
 
-TEST_CASE("hidden and system files are not slices") {
+TEST_CASE("hidden files and system files are not read as slices") {
   const Pictures pictures({"s1.png", "s2.png", "s3.png"});
   for (const std::string name : {"._s2.png", ".DS_Store", "Thumbs.db", "desktop.ini"})
     pictures.write(name, "of the system");

@@ -53,7 +53,9 @@ TEST_CASE_FIXTURE(Workshop, "a file that is no stream is refused with the comman
     fails(arguments, 1, {"v.stl: this is a mesh, not a stream; only discmc compare"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "another version is refused by number, even after lost packets") {
+TEST_CASE_FIXTURE(
+    Workshop,
+    "a stream of another version is refused with the version's number, even after lost packets") {
   const Bytes stream = bytes_of(write_stream(*this, "v.dmc"));
   for (const std::uint8_t version : Bytes{0, 2, 99}) {
     const Bytes other = discmc::test::with_version(version, stream);
@@ -74,7 +76,7 @@ TEST_CASE_FIXTURE(Workshop, "another version is refused by number, even after lo
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "info prints a key and value per line") {
+TEST_CASE_FIXTURE(Workshop, "info of a stream prints a key and a value per line") {
   const std::string stream = write_stream(*this, "v.dmc");
   auto info = info_of("v.dmc");
   for (const char* key :
@@ -97,7 +99,7 @@ TEST_CASE_FIXTURE(Workshop, "info prints a key and value per line") {
         std::stoi(info["regions"]));
 }
 
-TEST_CASE_FIXTURE(Workshop, "info counts simple rings and their corners") {
+TEST_CASE_FIXTURE(Workshop, "info of a stream counts simple rings and their corners") {
   write("v.nrrd", box({6, 4, 5}, {1, 1, 1}, {4, 2, 3}));
   done("extract v.nrrd --iso 100 -o v.dmc");
   auto info = info_of("v.dmc");
@@ -113,7 +115,7 @@ TEST_CASE_FIXTURE(Workshop, "info counts simple rings and their corners") {
   CHECK(info_of("v.dmc")["normals"] == "96");
 }
 
-TEST_CASE_FIXTURE(Workshop, "decode, info and render read standard input, pipes too") {
+TEST_CASE_FIXTURE(Workshop, "decode, info and render read streams from standard input and pipes") {
   write_stream(*this, "v.dmc");
   done("decode v.dmc -o v.stl");
   done("render v.dmc -o v.png --size 30,20");
@@ -147,7 +149,8 @@ TEST_CASE_FIXTURE(Workshop, "streams of slices and of regions are recognized aut
     CHECK(of_slices[key] == of_regions[key]);
 }
 
-TEST_CASE_FIXTURE(Workshop, "a stream of slices with a lost packet yields the other slices") {
+TEST_CASE_FIXTURE(Workshop,
+                  "info of a stream of slices with a lost packet reports the missing rows") {
   write_stream(*this, "v.dmc");
   done("extract v.nrrd --iso 100 --wire slices --key-slices 5 -o s.dmc");
   const std::string whole = read("s.dmc");
@@ -171,7 +174,7 @@ TEST_CASE_FIXTURE(Workshop, "a stream that claims more lost rows than a scan can
   fails("info v.dmc", 1, {"more than 68650825 rows were lost"});
 }
 
-TEST_CASE_FIXTURE(Workshop, "render draws a picture of the size asked for") {
+TEST_CASE_FIXTURE(Workshop, "render draws a picture of the given --size") {
   write_stream(*this, "v.dmc");
   done("render v.dmc -o plain.png --size 60,40");
   done("render v.dmc -o edges.png --size 60,40 --edges");
@@ -183,7 +186,8 @@ TEST_CASE_FIXTURE(Workshop, "render draws a picture of the size asked for") {
   CHECK(read("plain.png") != read("side.png"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "an incomplete stream yields all whole regions, with exit code 3") {
+TEST_CASE_FIXTURE(
+    Workshop, "decode of an incomplete stream writes all complete regions and exits with code 3") {
   const auto frames = discmc::test::frames_of(bytes_of(write_stream(*this, "v.dmc")));
   REQUIRE(frames.size() > 5);
   auto gap = frames, no_end = frames;
@@ -214,7 +218,8 @@ TEST_CASE_FIXTURE(Workshop, "an incomplete stream yields all whole regions, with
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "noise and empty files are refused by name, and no file is written") {
+TEST_CASE_FIXTURE(Workshop,
+                  "noise and empty files are refused as streams by name, and no file is written") {
   std::string noise;
   discmc::test::Chance chance(3);
   for (int i = 0; i < 5000; ++i) noise += static_cast<char>(chance.byte());
@@ -230,7 +235,8 @@ TEST_CASE_FIXTURE(Workshop, "noise and empty files are refused by name, and no f
   CHECK(contains(run("info none.dmc").error, "check the name"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "damaged bytes and packets end in an exit code and never in a crash") {
+TEST_CASE_FIXTURE(Workshop,
+                  "streams with damaged bytes or packets cause an exit code and never a crash") {
   const std::string stream = write_stream(*this, "v.dmc");
   const auto frames = discmc::test::frames_of(bytes_of(stream));
   discmc::test::Chance chance(4);
@@ -263,7 +269,7 @@ TEST_CASE_FIXTURE(Workshop, "damaged bytes and packets end in an exit code and n
   }
 }
 
-TEST_CASE_FIXTURE(Workshop, "a stream with a late header is re-encoded with all its regions") {
+TEST_CASE_FIXTURE(Workshop, "decode to a stream keeps all regions if the header comes late") {
   auto frames = discmc::test::frames_of(bytes_of(write_stream(*this, "v.dmc")));
   std::swap(frames[0], frames[1]);
   write("late.dmc", text_of(discmc::test::joined(frames)));
@@ -274,7 +280,7 @@ TEST_CASE_FIXTURE(Workshop, "a stream with a late header is re-encoded with all 
   CHECK(read("late.jsonl") == read("anew.jsonl"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "info lists application records and a placement, in words") {
+TEST_CASE_FIXTURE(Workshop, "info prints application records and a placement as text") {
   discmc::test::Line line;
   discmc::Encoder encoder;
   const auto volume = discmc::reference::from_bits({1, 1, 1}, 1);
@@ -293,7 +299,7 @@ TEST_CASE_FIXTURE(Workshop, "info lists application records and a placement, in 
   CHECK(contains(info, "RAS"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "an invalid polygon is skipped and reported") {
+TEST_CASE_FIXTURE(Workshop, "decode skips and reports an invalid polygon in a stream") {
   using Kind = discmc::Event::Kind;
   discmc::test::Line line;
   discmc::Encoder encoder;
@@ -328,7 +334,8 @@ TEST_CASE_FIXTURE(Workshop, "an invalid polygon is skipped and reported") {
   CHECK(read("c.stl").size() == 84 + 8 * 50);
 }
 
-TEST_CASE_FIXTURE(Workshop, "two mixed scans of the same number are reported with a remedy") {
+TEST_CASE_FIXTURE(Workshop,
+                  "packets of two scans with the same number are reported with a remedy") {
   write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
   done("extract v.nrrd --iso 100 --wire slices -o a.dmc");
   write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 80));

@@ -93,7 +93,7 @@ TEST_CASE("a region becomes a polygon with the corners of its rings") {
   CHECK(area(polygon) == 2 * 6 * 4);
 }
 
-TEST_CASE("regions and fragments that the decoder reports lost are forgotten") {
+TEST_CASE("the surface builder drops regions and fragments that the decoder reports lost") {
   const Events rest = region({rectangle()}, {1, 0, 4});
   Script script = begun_region({rectangle(), rectangle()}).lost();
   script.fragment(up, {}, 0).run(run(north, 2)).lost();
@@ -106,14 +106,14 @@ TEST_CASE("regions and fragments that the decoder reports lost are forgotten") {
   CHECK(builder.incomplete_regions() == 1);  // the fragment without a partner
 }
 
-TEST_CASE("slits are dropped, and a ring that is nothing else is no region") {
+TEST_CASE("the surface builder removes slits from rings, and drops rings of only slits") {
   const Events with_slits = region({{run(east, 3), run(north), run(east, 5), run(west, 5),
                                      run(north), run(west, 3), run(south, 2)}});
   CHECK(are_same(build(with_slits).surface(), build(region({rectangle()})).surface()));
   CHECK(build(region({{run(east, 3), run(west, 3)}})).surface().polygons.empty());
 }
 
-TEST_CASE("a side has two corners, for any number of runs and any start of the ring") {
+TEST_CASE("a straight side has two corners, for any number of runs and any start of the ring") {
   const SurfaceBuilder builder = build(
       region({{run(east), run(east), run(north, 2), run(west, 3), run(south, 2), run(east)}}));
   REQUIRE(builder.surface().polygons.size() == 1);
@@ -121,7 +121,7 @@ TEST_CASE("a side has two corners, for any number of runs and any start of the r
         Corners{{5, 4, 0}, {-1, 4, 0}, {-1, 0, 0}, {5, 0, 0}});
 }
 
-TEST_CASE("a ring that winds twice is not kept as one polygon, even without a right turn") {
+TEST_CASE("a ring that winds twice is split into simple rings, even without a right turn") {
   std::vector<Run> twice = rectangle();
   for (const Run& run : rectangle()) twice.push_back(run);
   const SurfaceBuilder builder = build(region({twice}));
@@ -144,7 +144,7 @@ TEST_CASE("a ring that touches itself is split into simple rings, the outer one 
   CHECK(area(polygon, polygon.rings[1]) < 0);
 }
 
-TEST_CASE("all rings of all regions are simple, one of them outer") {
+TEST_CASE("every region has only simple rings, of which one is outer") {
   for (const std::uint32_t density : {60U, 128U, 200U}) {
     const SurfaceBuilder builder =
         build(events_of(discmc::reference::random({12, 12, 12}, density, density)));
@@ -158,7 +158,7 @@ TEST_CASE("all rings of all regions are simple, one of them outer") {
   }
 }
 
-TEST_CASE("regions accepted whole become the polygons of their events") {
+TEST_CASE("regions passed in one call give the same polygons as their single events") {
   struct Whole {
     SurfaceBuilder builder{};
     SinkResult accept(const Event& event) { return builder.accept(event); }
@@ -184,7 +184,7 @@ TEST_CASE("regions accepted whole become the polygons of their events") {
   }
 }
 
-TEST_CASE("rings that do not close or enclose nothing are no regions") {
+TEST_CASE("the surface builder drops rings that do not close or enclose no area") {
   const std::vector<std::vector<std::vector<Run>>> wrong = {
       {{run(east, 3), run(north, 2), run(west, 3)}},
       {{run(north, 2), run(east, 3), run(south, 2), run(west, 3)}},  // clockwise
@@ -193,7 +193,7 @@ TEST_CASE("rings that do not close or enclose nothing are no regions") {
   for (const auto& rings : wrong) check_none(region(rings));
 }
 
-TEST_CASE("rings beyond the coordinates of any scan are no regions") {
+TEST_CASE("the surface builder drops rings beyond the coordinates of any scan") {
   constexpr std::uint32_t most = Run::max_length;
   std::vector<Run> far(8, run(east, most));
   far.insert(far.end(), 8, run(west, most));
@@ -202,7 +202,7 @@ TEST_CASE("rings beyond the coordinates of any scan are no regions") {
   check_none(region({rectangle()}, {2147483647, 0, 0}));
 }
 
-TEST_CASE("a ring of more links than any memory holds is split where it touches itself") {
+TEST_CASE("a ring of over 2^29 links is split at the point where the ring touches itself") {
   // A strip with a notch. The tip of the notch is in the middle of the other side.
   constexpr std::int32_t half = 1 << 27;
   const SurfaceBuilder builder =
@@ -216,7 +216,7 @@ TEST_CASE("a ring of more links than any memory holds is split where it touches 
                              {{13 + 4 * half, 6, 0}, tip, right, {13 + 4 * half, 0, 0}}});
 }
 
-TEST_CASE("regions that are only counted give the figures of regions that are kept") {
+TEST_CASE("a surface builder that only counts gives the same counts as one that keeps polygons") {
   const Events events = events_of(discmc::reference::random({16, 16, 16}, 200, 5));
   SurfaceBuilder counter(Kept::counts);
   for (const auto& event : events) counter.accept(event.event());
@@ -247,7 +247,7 @@ TEST_CASE("regions that are only counted give the figures of regions that are ke
   CHECK(counts.of_more_corners == regions - by_corners[3] - by_corners[4]);
 }
 
-TEST_CASE("polygons are sorted by z, y and x of their last vertices") {
+TEST_CASE("the surface builder sorts polygons by z, y and x of their last vertices") {
   // The heights are so far apart that polygons of two of them have equal sort keys.
   const Corners order = {{1, 2, -1}, {9, -1, 0}, {-1, 4, 0},    {7, 4, 0},
                          {3, 6, 0},  {1, 0, 8},  {9, 8, 5'997}, {1, 0, 5'998}};

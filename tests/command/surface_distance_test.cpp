@@ -32,7 +32,8 @@ FaceMesh ball() {
 
 }  // namespace
 
-TEST_CASE("the distance from a triangle is that to its inside, nearest side or corner") {
+TEST_CASE(
+    "the distance to a triangle is measured to its interior, nearest side or nearest corner") {
   const std::array<Point, 3> triangle = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   CHECK(squared_distance({1, 1, 3}, triangle) == doctest::Approx(9));
   CHECK(squared_distance({1, 1, 0}, triangle) == doctest::Approx(0));
@@ -47,7 +48,7 @@ TEST_CASE("the distance from a triangle is that to its inside, nearest side or c
   CHECK(squared_distance({3, 4, 0}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}) == doctest::Approx(25));
 }
 
-TEST_CASE("the distance from a mesh to itself is 0, and to a shifted square the shift") {
+TEST_CASE("the distance between equal meshes is 0, and between shifted squares the shift") {
   const Distances none = distances(ball(), ball());
   CHECK(none.largest < 1e-7);
   const Distances lifted = distances(square(10, 0), square(10, 0.25));
@@ -69,12 +70,12 @@ TEST_CASE("the distance from one mesh to another may differ from that in the oth
   CHECK(large_to_small.percentile_99 > 12);
 }
 
-TEST_CASE("distances are in units of their own along each axis") {
+TEST_CASE("distances between meshes are scaled by the unit of each axis") {
   const Distances in_voxels = distances(square(10, 0), square(10, 3), {1, 1, 2});
   CHECK(in_voxels.mean == doctest::Approx(1.5));
 }
 
-TEST_CASE("the nearest triangle is found at any position") {
+TEST_CASE("the search for the nearest triangle succeeds from any position") {
   const FaceMesh to = ball();
   discmc::test::Chance chance(9);
   for (int i = 0; i < 30; ++i) {
@@ -92,7 +93,7 @@ TEST_CASE("the nearest triangle is found at any position") {
   }
 }
 
-TEST_CASE("progress is reported up to the number of points") {
+TEST_CASE("measuring distances reports progress up to the number of points") {
   std::size_t last = 0;
   std::size_t calls = 0;
   const auto progress = [&](std::size_t done, std::size_t all) {
@@ -106,7 +107,8 @@ TEST_CASE("progress is reported up to the number of points") {
   CHECK(calls > 3);
 }
 
-TEST_CASE("the largest distance is found at a vertex, beyond all points between") {
+TEST_CASE(
+    "the largest distance between meshes includes the vertices, not only points within faces") {
   FaceMesh spike = square(1, 0);
   spike.vertices_mm.push_back({0.5, 0.5, 7});
   spike.corners.insert(spike.corners.end(), {0, 4, 1});

@@ -30,7 +30,7 @@ FaceMesh soup_of(const FaceMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("the normals of an octahedron are its axes in both directions") {
+TEST_CASE("surface normals of an octahedron are its axes in both directions") {
   for (const double x : {0.5, -0.5})
     for (const double y : {1.0, -1.0})
       for (const double z : {3.0, -3.0}) {
@@ -42,7 +42,7 @@ TEST_CASE("the normals of an octahedron are its axes in both directions") {
       }
 }
 
-TEST_CASE("the normals of a ball are close to its radii under any stretching and mirroring") {
+TEST_CASE("surface normals of a ball are close to its radii for any spacing and mirroring") {
   const auto volume = ball({50, 50, 50}, {49, 49, 49}, 400);
   for (const Point& spacing : {Point{1, 1, 1}, {-1, 1, 1}, {1, -1, -1}, {0.8, -1.2, 1}}) {
     const FaceMesh mesh = merged_mesh(volume, Faces::triangles, spacing);
@@ -61,7 +61,7 @@ TEST_CASE("the normals of a ball are close to its radii under any stretching and
   }
 }
 
-TEST_CASE("the normals of an interpolated ball are nearly its radii") {
+TEST_CASE("surface normals of an interpolated ball deviate at most 3 degrees from its radii") {
   struct Expected {
     Point spacing;
     double degrees;
@@ -92,7 +92,7 @@ TEST_CASE("the normals of an interpolated ball are nearly its radii") {
   }
 }
 
-TEST_CASE("normals do not depend on the triangulation of a flat part") {
+TEST_CASE("surface normals do not depend on the triangulation of a flat part") {
   // A roof: one square leans to the left, one to the right.
   const FaceMesh mesh =
       triangles_of({{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 0}},
@@ -104,7 +104,7 @@ TEST_CASE("normals do not depend on the triangulation of a flat part") {
   check_near(normals[1], {0, 0, 1});
 }
 
-TEST_CASE("vertices at equal positions have one normal") {
+TEST_CASE("vertices at equal positions have equal surface normals") {
   const FaceMesh mesh = build_mesh(leaning_wall(), {true, Faces::triangles});
   const std::vector<Point> expected = surface_normals(mesh);
   const std::vector<Point> normals = surface_normals(soup_of(mesh));
@@ -113,7 +113,7 @@ TEST_CASE("vertices at equal positions have one normal") {
     check_near(normals[i], expected[mesh.corners[i]]);
 }
 
-TEST_CASE("a triangle's normal is weighted by its angle, not by its area") {
+TEST_CASE("surface normals weight each triangle by its angle, not by its area") {
   // The floor is nine times as long as the wall. They meet in the edge from (0,0,0) to (0,1,0).
   const std::vector<Point> normals = surface_normals(
       triangles_of({{0, 0, 0}, {9, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 1, 2, 0, 2, 3}));

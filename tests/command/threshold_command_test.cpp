@@ -21,7 +21,7 @@ struct Head : Workshop {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Head, "a named threshold yields the surface of its number, and is reported") {
+TEST_CASE_FIXTURE(Head, "a named threshold gives the same mesh as its number, and is reported") {
   write("mri.nrrd", mri);
   const std::array<std::string, 4> examples[] = {
       {"ct", "bone", "300", "300"},         {"ct", "skin", "-300", "-300"},
@@ -57,7 +57,7 @@ TEST_CASE_FIXTURE(Head, "named thresholds can be combined with numbers, and name
   CHECK(read("45.stl") != read("bone.stl"));
 }
 
-TEST_CASE_FIXTURE(Head, "streams, pictures and comparisons accept named thresholds") {
+TEST_CASE_FIXTURE(Head, "extract to streams, render and compare accept named thresholds") {
   done("extract ct.nrrd --iso skin -q -o skin.dmc");
   CHECK(info_of("skin.dmc")["threshold"] == "-300");
   done("render ct.nrrd --iso skin --size 40,40 -o named.png");
@@ -67,7 +67,7 @@ TEST_CASE_FIXTURE(Head, "streams, pictures and comparisons accept named threshol
   CHECK(done("compare skin.dmc ct.nrrd --iso skin") == done("compare skin.dmc ct.nrrd --iso=-300"));
 }
 
-TEST_CASE_FIXTURE(Head, "a named threshold is refused if it cannot be found") {
+TEST_CASE_FIXTURE(Head, "a named threshold is refused if the volume does not determine its value") {
   write("mri.nrrd", mri);
   write("flat.nrrd", head("7 7 7 7 7 "));
   const auto names = file_names();
@@ -84,7 +84,8 @@ TEST_CASE_FIXTURE(Head, "a named threshold is refused if it cannot be found") {
   CHECK(file_names() == names);
 }
 
-TEST_CASE_FIXTURE(Workshop, "CT from DICOM is in Hounsfield units, for any part of the body") {
+TEST_CASE_FIXTURE(Workshop,
+                  "CT from DICOM is treated as Hounsfield units for any part of the body") {
   const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/u8.dcm";
   if (run("info " + series).code != 0) return;  // if built without DICOM
   check_parts(run("extract " + series + " --iso skin --allow-empty -o v.stl"), 0,

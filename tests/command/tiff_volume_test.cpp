@@ -57,7 +57,7 @@ using Pages = std::vector<int>;
 
 // ---- files of other programs ----
 
-TEST_CASE("a channel and a time of a hyperstack are chosen, in any order of its axes") {
+TEST_CASE("a channel and a time of a TIFF hyperstack are chosen for any order of axes") {
   for (const std::string name :
        {"tcz.ome", "tzc.ome", "ctz.ome", "czt.ome", "ztc.ome", "zct.ome", "imagej", "shaped"}) {
     INFO(name);
@@ -83,7 +83,7 @@ TEST_CASE("a channel and a time of a hyperstack are chosen, in any order of its 
   check_refused(files / "hyperstack-tcz.ome.tif", chosen(0, {}), "2 channels ('bone', 'dye')");
 }
 
-TEST_CASE("the spacing is that of OME-XML or ImageJ, in their units") {
+TEST_CASE("the spacing of TIFF is read from OME-XML or ImageJ, in their units") {
   check_spacing(read_info(files / "hyperstack-tcz.ome.tif", chosen(0, 0)), {2.5e-3, 5e-4, 5});
   check_spacing(read_info(files / "hyperstack-imagej.tif", chosen(0, 0)),
                 {0.5e-3, 0.25e-3, 2.5e-3});
@@ -91,7 +91,9 @@ TEST_CASE("the spacing is that of OME-XML or ImageJ, in their units") {
   check_spacing(read_info(files / "imagej.tif", {{}, Spacing{1, 2, 3}}), {1, 2, 3});
 }
 
-TEST_CASE("pages without directories, blocks of slices, bits, halves and palettes are read") {
+TEST_CASE(
+    "TIFF files with missing directories, slice blocks, bit samples, half floats and palettes are "
+    "read") {
   CHECK(read_samples(files / "one-directory.tif") == slices(0, 5));
   CHECK(read_samples(files / "deep-tiles1.tif") == slices(0, 5));
   CHECK(read_samples(files / "deep-tiles4.tif") == slices(0, 5));
@@ -142,7 +144,8 @@ std::string refusal_of(const std::string& xml, int pages = 4, const VolumeOption
   return refusal(folder.write("v.ome.tif", numbered(pages, xml).bytes()), options);
 }
 
-TEST_CASE_FIXTURE(Tiff, "OME-XML without a unit is in micrometres; invalid ones are noted") {
+TEST_CASE_FIXTURE(Tiff,
+                  "lengths in OME-XML without a unit are in micrometres; invalid units are noted") {
   const auto info_of = [this](const std::string& sizes) {
     const auto xml = ome(image(four_slices + " " + sizes));
     return read_info(tiff(4, xml));
@@ -157,7 +160,7 @@ TEST_CASE_FIXTURE(Tiff, "OME-XML without a unit is in micrometres; invalid ones 
   check_spacing(without_z, {2e-3, 2e-3, 2e-3});
 }
 
-TEST_CASE_FIXTURE(Tiff, "TiffData elements order the pages") {
+TEST_CASE_FIXTURE(Tiff, "TiffData elements of OME-XML order the pages") {
   const auto pages_of = [this](const std::string& data) {
     return pages_read(tiff(4, ome(image(four_slices, data))));
   };
@@ -196,7 +199,7 @@ TEST_CASE("OME-XML that does not fit its pages is refused") {
                 "the description has planes of 3 x 1, and the pages have 2 x 1");
 }
 
-TEST_CASE_FIXTURE(Folder, "positions of OME-XML are volumes for --frame") {
+TEST_CASE_FIXTURE(Folder, "--frame chooses positions of OME-XML") {
   const std::string two_times = "SizeZ=\"1\" SizeC=\"1\" SizeT=\"2\"";
   const std::string xml = ome(image(two_times, "<TiffData IFD=\"0\" PlaneCount=\"2\"/>", "left") +
                               image("SizeZ=\"2\" SizeC=\"1\" SizeT=\"1\"",
@@ -243,7 +246,7 @@ TEST_CASE("a file of an OME-TIFF set opens the whole set") {
   }
 }
 
-TEST_CASE("a missing file of an OME-TIFF set is named; a renamed file is still read") {
+TEST_CASE("a missing file of an OME-TIFF set is reported by name; a renamed file is still read") {
   const OmeSet set;
   fs::rename(set.path() / OmeSet::name(2), set.path() / "c.ome.tif");
   check_refused(set.path() / OmeSet::name(0),
@@ -286,7 +289,7 @@ const Tags of_four_units = {{tag::x_resolution, fraction(1, 4)},
                             {tag::y_resolution, fraction(1, 4)},
                             {tag::resolution_unit, whole({1})}};
 
-TEST_CASE("ImageJ's units are read as it writes them") {
+TEST_CASE("units are read in every spelling that ImageJ writes") {
   const std::vector<std::pair<std::string, double>> units = {
       {"m", 1000},     {"cm", 10},        {"mm", 1},    {"micron", 1e-3}, {"\\u00B5m", 1e-3},
       {"\xb5m", 1e-3}, {"\u00b5m", 1e-3}, {"um", 1e-3}, {"nm", 1e-6},     {"inch", 25.4}};
@@ -333,14 +336,15 @@ TEST_CASE_FIXTURE(Tiff, "pages behind ImageJ's only directory are read or report
   check_refused(tiff(3, "ImageJ=1\nslices=0\n"), "slices is '0'");
 }
 
-TEST_CASE_FIXTURE(Tiff, "the times of a series are not read as slices") {
+TEST_CASE_FIXTURE(
+    Tiff, "times of an ImageJ series are not read as slices, and the refusal advises --axes") {
   const fs::path file = tiff(3, "ImageJ=1\nimages=3\nframes=3\n");
   check_refused(file, "the file holds 3 volumes of one slice each");
   check_refused(file, "if they are slices, give --axes zyx");
   CHECK(pages_read(file, chosen(1, {})) == Pages{1});
 }
 
-TEST_CASE_FIXTURE(Tiff, "--axes names the axis of the pages, as the refusal advises") {
+TEST_CASE_FIXTURE(Tiff, "--axes names the axis of TIFF pages, as the refusal advises") {
   for (const std::string stack : {"channels=4\n", "frames=4\n", "channels=2\nframes=2\n"}) {
     const fs::path file = tiff(4, "ImageJ=1\nimages=4\n" + stack);
     check_refused(file, "of one slice each, and one is read at a time");
@@ -387,7 +391,8 @@ TEST_CASE_FIXTURE(Tiff, "tifffile's shape determines the axes, with or without l
   CHECK(pages_read(file("{\"shape\": 9}")) == Pages{0, 1, 2, 3});
 }
 
-TEST_CASE_FIXTURE(Folder, "one-page arrays are slices, and arrays of several pages volumes") {
+TEST_CASE_FIXTURE(
+    Folder, "tifffile's arrays of one page are slices, and arrays of several pages are volumes") {
   TiffWriter planes;
   for (int i = 0; i < 3; ++i)
     planes.page(2, 1, std::string(2, static_cast<char>(i)),
@@ -402,7 +407,7 @@ TEST_CASE_FIXTURE(Folder, "one-page arrays are slices, and arrays of several pag
   CHECK(pages_read(two, chosen(1, {})) == Pages{2, 3});
 }
 
-TEST_CASE_FIXTURE(Folder, "files with several slices each are one volume only with --axes") {
+TEST_CASE_FIXTURE(Folder, "TIFF files with several slices each are one volume only with --axes") {
   write("a/t1.tif", numbered(4, ome(image(four_slices))).bytes());
   write("a/t2.tif", numbered(4, ome(image(four_slices))).bytes());
   check_refused(path() / "a", "2 files, of which 't1.tif' alone has 4 slices",
@@ -413,7 +418,7 @@ TEST_CASE_FIXTURE(Folder, "files with several slices each are one volume only wi
 
 // ---- other tags ----
 
-TEST_CASE("smaller copies among the pages, and within them, are left out with a note") {
+TEST_CASE("reduced copies among TIFF pages and in their sub-directories are left out with a note") {
   const std::string large(4, '\7'), small(1, '\7');
   TiffWriter tiff;
   tiff.page(2, 2, large, {{tag::sub_directories, whole({8, 8})}});
@@ -425,7 +430,7 @@ TEST_CASE("smaller copies among the pages, and within them, are left out with a 
   CHECK(noted(info, "usually smaller copies, are left out: 2"));
 }
 
-TEST_CASE("bytes behind the only page are noted, unless they may be metadata") {
+TEST_CASE("bytes behind the only TIFF page are noted, unless the bytes may be metadata") {
   const auto notes_much = [](std::size_t behind) {
     TiffWriter tiff;
     tiff.page(256, 256, std::string(65536, 'a')).behind(std::string(behind, 'b'));
@@ -436,7 +441,8 @@ TEST_CASE("bytes behind the only page are noted, unless they may be metadata") {
   CHECK(!notes_much(0));
 }
 
-TEST_CASE_FIXTURE(Tiff, "a page whose rows begin at the bottom or right is not mirrored") {
+TEST_CASE_FIXTURE(Tiff,
+                  "a TIFF page whose rows begin at the bottom or right is read without mirroring") {
   const std::vector<std::pair<std::uint32_t, Spacing>> cases = {
       {1, {1, 1, 1}}, {2, {-1, 1, 1}}, {3, {-1, -1, 1}}, {4, {1, -1, 1}}};
   for (const auto& [orientation, signs] : cases) {
@@ -448,7 +454,7 @@ TEST_CASE_FIXTURE(Tiff, "a page whose rows begin at the bottom or right is not m
                 "its rows are columns (Orientation 6)");
 }
 
-TEST_CASE("a resolution that is not used is noted, with how to use it") {
+TEST_CASE("an unused TIFF resolution is noted with the --spacing that applies the resolution") {
   const Tags of_a_print = {{tag::x_resolution, fraction(254)},
                            {tag::y_resolution, fraction(127)},
                            {tag::resolution_unit, whole({2})}};
@@ -460,7 +466,8 @@ TEST_CASE("a resolution that is not used is noted, with how to use it") {
   CHECK(info_of(numbered(2, "", of_a_print), options).notes.empty());
 }
 
-TEST_CASE_FIXTURE(Folder, "pages that differ in size, type, resolution or colour are refused") {
+TEST_CASE_FIXTURE(Folder,
+                  "TIFF pages that differ in size, type, resolution or colour are refused") {
   const auto refusal_with = [this](const Tags& more, const VolumeOptions& options = {}) {
     Tags first = of_four_units;
     return refusal(
@@ -486,7 +493,8 @@ TEST_CASE_FIXTURE(Folder, "pages that differ in size, type, resolution or colour
   CHECK(read_info(path() / "v.tif", options).dims[2] == 2);
 }
 
-TEST_CASE_FIXTURE(Folder, "samples packed in bits are unpacked, the highest bit first") {
+TEST_CASE_FIXTURE(Folder,
+                  "TIFF samples of 1, 2, 4 or 12 bits are unpacked with the highest bit first") {
   const auto values_of = [this](std::uint32_t bits, const std::string& row) {
     const fs::path file =
         write("v.tif", TiffWriter().page(3, 1, row, {{tag::bits, whole({bits})}}).bytes());
@@ -498,7 +506,7 @@ TEST_CASE_FIXTURE(Folder, "samples packed in bits are unpacked, the highest bit 
   CHECK(values_of(12, "\xab\xc1\x23\xfe\xd0") == std::vector<double>{0xabc, 0x123, 0xfed});
 }
 
-TEST_CASE_FIXTURE(Folder, "a palette of greys is read as greys") {
+TEST_CASE_FIXTURE(Folder, "a TIFF palette of greys is read as grey values") {
   std::vector<std::uint32_t> greys(768);
   for (std::uint32_t i = 0; i < 768; ++i) greys[i] = (255 - i % 256) * 257;
   // Values of 16 bits, two in each value of 32 bits.
@@ -517,7 +525,7 @@ TEST_CASE_FIXTURE(Folder, "a palette of greys is read as greys") {
   CHECK(!noted(reader->info(), "palette"));
 }
 
-TEST_CASE_FIXTURE(Tiff, "pages of ScanImage are slices only by its metadata or on request") {
+TEST_CASE_FIXTURE(Tiff, "ScanImage pages are slices only if its metadata or --axes defines this") {
   constexpr std::uint16_t software = 305;
   const auto write_slices = [&](const std::string& slices) {
     const Tags more = {{software, text("SI.VERSION_MAJOR = 2020\nSI.hChannels.channelSave = [1;2]\n"

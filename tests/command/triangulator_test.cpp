@@ -172,7 +172,7 @@ TEST_CASE("triangulation keeps collinear points and makes no flat triangle") {
   check_contract(polygon);
 }
 
-TEST_CASE("holes may touch each other and the rim, also inside a side") {
+TEST_CASE("triangulation accepts holes that touch each other or the rim, also inside a side") {
   const std::vector<PlanePoint> rim = {{0, 0}, {12, 0}, {12, 12}, {0, 12}};
   const std::vector<PlanePoint> low = {{6, 0}, {4, 2}, {6, 4}, {8, 2}};
   const std::vector<PlanePoint> high = {{6, 4}, {4, 6}, {6, 8}, {8, 6}};
@@ -181,7 +181,7 @@ TEST_CASE("holes may touch each other and the rim, also inside a side") {
   check_contract(rings({{{0, 0}, {6, 0}, {12, 0}, {12, 12}, {0, 12}}, low}));
 }
 
-TEST_CASE("any pattern of squares is triangulated under any shear") {
+TEST_CASE("triangulation succeeds for random patterns of squares under any shear") {
   std::minstd_rand random(1);
   for (int round = 0; round < 400; ++round) {
     const std::size_t width = 1 + random() % 9, height = 1 + random() % 9;
@@ -201,7 +201,7 @@ TEST_CASE("any pattern of squares is triangulated under any shear") {
   }
 }
 
-TEST_CASE("a wall with thousands of holes is triangulated") {
+TEST_CASE("triangulation succeeds for a wall with thousands of holes") {
   std::minstd_rand random(2);
   std::vector<std::vector<bool>> on(101, std::vector<bool>(101, true));
   for (std::size_t y = 1; y < 100; y += 2)
@@ -242,14 +242,14 @@ TEST_CASE("triangulation is exact for the largest coordinates") {
   CHECK(area == 8 * far * far);
 }
 
-TEST_CASE("points that would need more flips than the limit are triangulated") {
+TEST_CASE("triangulation succeeds for points that would need more flips than the limit") {
   std::vector<PlanePoint> ring;
   for (std::int64_t i = -20000; i <= 20000; ++i) ring.push_back({i, -i * i / 64 - 1});
   for (std::int64_t i = 20000; i >= -20000; --i) ring.push_back({i, i * i / 64 + 1});
   CHECK(triangulate(rings({ring})).size() == ring.size() - 2);
 }
 
-TEST_CASE("rings that bound no polygon have no triangles") {
+TEST_CASE("triangulation gives no triangles for rings that bound no polygon") {
   const std::vector<PlanePoint> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   CHECK(bound_a_polygon({square}));
   CHECK(!bound_a_polygon({}));

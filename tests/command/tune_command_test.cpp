@@ -55,9 +55,7 @@ TEST_CASE_FIXTURE(Ball, "tune predicts the stream that extract makes in the same
 }
 
 TEST_CASE_FIXTURE(
-    Ball,
-    "with the least memory that tune prints nothing is loose, and with 256 bytes less something "
-    "is") {
+    Ball, "the memory that tune prints for no fragments suffices, and 256 bytes less do not") {
   const auto words = words_of(done("tune v.nrrd --iso 100"), "  no fragments from   ");
   REQUIRE(!words.empty());
   std::string digits = words[0];
@@ -71,7 +69,7 @@ TEST_CASE_FIXTURE(
   CHECK(fragments(minimum - 256) != "0");
 }
 
-TEST_CASE_FIXTURE(Ball, "tune shows the kinds of stream that are asked for") {
+TEST_CASE_FIXTURE(Ball, "tune prints estimates only for the kind of stream that --wire selects") {
   const std::string regions = done("tune v.nrrd --iso 100 --wire regions");
   CHECK(contains(regions, "Regions:"));
   CHECK(!contains(regions, "Slices:"));
@@ -96,7 +94,9 @@ TEST_CASE_FIXTURE(Ball, "the code that tune prints compiles, in C++ and in C") {
   }
 }
 
-TEST_CASE_FIXTURE(Ball, "the code that tune prints names the parts of the surface that it lacks") {
+TEST_CASE_FIXTURE(
+    Ball,
+    "the code that tune prints lists options of the surface that the code does not implement") {
   const auto code = [&](const std::string& options, const char* heading) {
     return code_of(done("tune v.nrrd " + options), heading);
   };
@@ -107,7 +107,7 @@ TEST_CASE_FIXTURE(Ball, "the code that tune prints names the parts of the surfac
   }
 }
 
-TEST_CASE_FIXTURE(Ball, "the code that tune prints names its threshold's value in the file") {
+TEST_CASE_FIXTURE(Ball, "the code that tune prints states the threshold's value in the file") {
   const auto samples = volume_files::stored(volume_files::SampleType::u8);
   write("scaled.nii", volume_files::Nifti().scale(2, -1000).file(samples));
   const std::string scaled = done("tune scaled.nii --iso=-900");
@@ -117,13 +117,13 @@ TEST_CASE_FIXTURE(Ball, "the code that tune prints names its threshold's value i
   CHECK(!contains(done("tune v.nrrd --iso 100"), "of the stored samples"));
 }
 
-TEST_CASE_FIXTURE(Ball, "tune prints the threshold that a rule has found") {
+TEST_CASE_FIXTURE(Ball, "tune prints the value of a named threshold") {
   const Result result = run("tune v.nrrd --iso otsu");
   CHECK(contains(result.out, " (otsu)\n"));
   CHECK(!contains(result.out, ", at otsu"));
 }
 
-TEST_CASE_FIXTURE(Ball, "tune scales work by the clock, and has the costs of each core") {
+TEST_CASE_FIXTURE(Ball, "tune scales processor load by --clock, and by the costs of --core") {
   const auto work = [&](const std::string& options) {
     return std::stod(words_of(done("tune v.nrrd --iso 100 " + options), ">")[5]);
   };
@@ -133,7 +133,7 @@ TEST_CASE_FIXTURE(Ball, "tune scales work by the clock, and has the costs of eac
   CHECK(work("--clock 1M --core cortex-m7") < at_1_mhz);
 }
 
-TEST_CASE_FIXTURE(Ball, "tune refuses with the value and the remedy") {
+TEST_CASE_FIXTURE(Ball, "tune refuses invalid values with the value and the remedy") {
   const auto refused = [&](const std::string& options, int code, const std::string& remedy) {
     fails("tune v.nrrd " + options, code, {remedy});
   };

@@ -18,7 +18,7 @@ void check_said(const std::string& arguments, const std::string& said,
 
 }  // namespace
 
-TEST_CASE("a command that is misspelt is answered with the nearest one") {
+TEST_CASE("a misspelt command is answered with the nearest command") {
   const std::string none = "' is not a command; did you mean ";
   check_said("extrct v.nrrd", "'extrct" + none + "extract?");
   check_said("dceode v.dmc", "'dceode" + none + "decode?");
@@ -26,7 +26,7 @@ TEST_CASE("a command that is misspelt is answered with the nearest one") {
   check_said("reader v.dmc", "'reader" + none + "render?");
 }
 
-TEST_CASE("an unknown command without a similar one is answered with the list of commands") {
+TEST_CASE("an unknown command without a similar command is answered with the list of commands") {
   const std::string all = "give one of extract, view, info, render";
   CHECK(contains(Workshop().run("frobnicate v.nrrd").error,
                  "discmc: 'frobnicate' is not a command; " + all));
@@ -57,7 +57,7 @@ TEST_CASE_FIXTURE(Workshop, "a file in place of a command is answered with worki
              "or discmc info FILE");
 }
 
-TEST_CASE("an option that is misspelt is answered with the nearest one of its command") {
+TEST_CASE("a misspelt option is answered with the nearest option of the command") {
   const std::pair<std::string, std::string> cases[] = {
       {"extract v.raw --iso 5 --spacng 1,1,1", "'--spacng' ... --spacing"},
       {"extract --spacng=1,1,1 v.raw", "'--spacng' ... --spacing"},
@@ -88,7 +88,7 @@ TEST_CASE("other programs' names for smoothing are answered with the option of t
              "'--smoothing' is not an option of decode; did you mean --normals surface?", "decode");
 }
 
-TEST_CASE("an unknown option without a similar one is answered without a guess") {
+TEST_CASE("an unknown option without a similar option is reported without a suggestion") {
   check_said("info v.dmc --zoom 5", "'--zoom' is not an option of info; leave it out", "info");
   check_said("--iso 5 extract v.nrrd",
              "'--iso' is not an option of discmc; give options of a command after its name",

@@ -75,7 +75,7 @@ void check_along(const Point& normal, const Point& direction) {
 
 }  // namespace
 
-TEST_CASE("the vertices of a mesh have their positions on the lattice") {
+TEST_CASE("the vertices of a mesh keep their lattice positions") {
   for (const bool is_conforming : {true, false}) {
     const FaceMesh mesh =
         build_mesh(box_with_hole({0.5, -2, 3}), {is_conforming, Faces::triangles});
@@ -97,7 +97,7 @@ TEST_CASE("the polygon normals of an octahedron are exactly its axes in both dir
   }
 }
 
-TEST_CASE("a polygon is weighted by its area in space without holes, for any triangulation") {
+TEST_CASE("polygon normals weight each polygon by its area without holes, for any triangulation") {
   for (const Point& spacing : all_signs)
     for (const Faces faces : {Faces::polygons, Faces::triangles}) {
       const Surface surface = box_with_hole(spacing);
@@ -115,7 +115,8 @@ TEST_CASE("a polygon is weighted by its area in space without holes, for any tri
     }
 }
 
-TEST_CASE("polygon normals are the sum of the areas that meet, on any surface") {
+TEST_CASE(
+    "polygon normals are the normalized sum of the area vectors at a vertex, on any surface") {
   Chance chance(21);
   for (const Point& spacing : all_signs) {
     const Surface surface = polygons_of(noise({7, 6, 8}, 0, 255, chance), 128, spacing);
@@ -179,7 +180,7 @@ TEST_CASE("normals of a ball of radius 40 are within 3 degrees of its radii on a
   }
 }
 
-TEST_CASE("a vertex in level samples or outside the volume keeps its normal") {
+TEST_CASE("a vertex in constant samples or outside the volume keeps its polygon normal") {
   // Within a checkerboard central differences are zero; at its border they are not.
   const auto board = discmc::reference::checkerboard({6, 5, 4});
   SampleVolume<int> volume{{6, 5, 4}, {}};
@@ -207,7 +208,7 @@ TEST_CASE("a vertex in level samples or outside the volume keeps its normal") {
   CHECK(steep_vertices > 0);
 }
 
-TEST_CASE("the second pass reports progress after every slice") {
+TEST_CASE("computing gradient normals reports progress after every slice") {
   const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
   FaceMesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
   SampleReader reader(volume.size, volume.samples);
@@ -217,7 +218,9 @@ TEST_CASE("the second pass reports progress after every slice") {
   CHECK(progress == std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
 }
 
-TEST_CASE("normals depend on the ratios of the spacing, also beyond what a stream can hold") {
+TEST_CASE(
+    "normals depend only on ratios of the spacing, also for spacings that a stream cannot "
+    "represent") {
   const auto normals_of = [](const Point& spacing) {
     const Surface surface = octahedron(spacing);
     FaceMesh mesh = build_mesh(surface);

@@ -52,7 +52,7 @@ void check_numbers(const VertexNumbers& numbers, std::vector<Vertex> vertices) {
 
 }  // namespace
 
-TEST_CASE("added vertices are numbered in the order of their first addition") {
+TEST_CASE("vertex numbers follow the order in which vertices are first added") {
   VertexNumbers numbers;
   CHECK(numbers.find({1, 2, 4}) == VertexNumbers::none);
   CHECK(numbers.add({1, 2, 4}) == 0);
@@ -64,7 +64,7 @@ TEST_CASE("added vertices are numbered in the order of their first addition") {
   CHECK(numbers.positions() == std::vector<Vertex>{{1, 2, 4}, {-1, 3, -1}, {1, 2, 2}});
 }
 
-TEST_CASE("corners of polygons have a number per vertex, and keep it when more are added") {
+TEST_CASE("polygon corners at one vertex share a number, which later additions do not change") {
   constexpr std::int32_t near = 20, far = 2000000000;  // a slot per block, and a hash table
   for (const std::int32_t z_of_some : {near, far}) {
     CAPTURE(z_of_some);

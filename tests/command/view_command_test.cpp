@@ -43,7 +43,7 @@ struct Ball : Workshop {
 }  // namespace
 
 TEST_CASE_FIXTURE(Workshop,
-                  "the page of a volume contains its samples and has the name of the volume") {
+                  "the page that view writes for a volume contains its samples and its name") {
   write_in_space(*this);
   if (!has_page(*this)) return;
   CHECK(contains(done("view v.nrrd --no-open"), "v.html: "));
@@ -55,7 +55,7 @@ TEST_CASE_FIXTURE(Workshop,
   done("view v.nrrd --no-open");  // replaces the page
 }
 
-TEST_CASE_FIXTURE(Ball, "the page of a stream has its mesh if the kind of surface is given") {
+TEST_CASE_FIXTURE(Ball, "the page of a stream contains its mesh if --surface is given") {
   if (!has_page(*this)) return;
   done("extract v.nrrd --iso 100 --wire slices -q -o v.dmc");
   done("view v.dmc --surface relaxed --no-open -o page.html");
@@ -95,7 +95,8 @@ TEST_CASE_FIXTURE(Ball, "the page of a stream contains its bytes, even those of 
   CHECK(read("inside.dmc") == read("cut.dmc"));
 }
 
-TEST_CASE_FIXTURE(Workshop, "the page of labels has their placed meshes, names and colours") {
+TEST_CASE_FIXTURE(Workshop,
+                  "the page of --labels contains the labels' placed meshes, names and colours") {
   write_in_space(*this);
   if (!has_page(*this)) return;
   write("t.txt", "10 air 0 0 255\n200 \"my bone\" 255 0 0\n");
@@ -111,7 +112,7 @@ TEST_CASE_FIXTURE(Workshop, "the page of labels has their placed meshes, names a
   CHECK(contains(inside, "\"name\":\"my bone\""));
 }
 
-TEST_CASE_FIXTURE(Ball, "the page of a mesh file has its faces, its names and its colours") {
+TEST_CASE_FIXTURE(Ball, "the page of a mesh file contains its faces, names and colours") {
   if (!has_page(*this)) return;
   if (contains(run("compare v.nrrd none.stl --iso 1").error, "without Assimp")) return;
   write("t.txt", "10 air 0 0 255\n200 bone 255 0 0\n");
@@ -128,7 +129,8 @@ TEST_CASE_FIXTURE(Ball, "the page of a mesh file has its faces, its names and it
   }
 }
 
-TEST_CASE_FIXTURE(Ball, "$BROWSER opens the page, and without a browser its path is printed") {
+TEST_CASE_FIXTURE(
+    Ball, "view opens the page with $BROWSER, and prints the page's path if there is no browser") {
   if (!has_page(*this)) return;
   write("browser", "#!/bin/sh\necho \"$1\" > opened.new\nmv opened.new opened\n");
   const Result result = shell(

@@ -38,8 +38,8 @@ VolumeOptions raw_options() {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(
-    Folder, "each format without a placement has exactly the notes of missing spacing and axes") {
+TEST_CASE_FIXTURE(Folder,
+                  "every format without a placement notes exactly the missing spacing and axes") {
   Nifti nifti;
   nifti.integer(123, 1, 0);
   const std::vector<std::pair<fs::path, Notes>> files = {
@@ -61,7 +61,7 @@ TEST_CASE_FIXTURE(
   CHECK(notes_of(write("v.raw", u8), raw_options()) == Notes{no_spacing});
 }
 
-TEST_CASE_FIXTURE(Folder, "a spacing that is given leaves no note of a missing one") {
+TEST_CASE_FIXTURE(Folder, "with --spacing, a missing spacing of the file is not noted") {
   VolumeOptions options = raw_options();
   options.spacing_mm = {1, 2, 3};
   CHECK(notes_of(write("v.raw", u8), options).empty());
@@ -71,7 +71,9 @@ TEST_CASE_FIXTURE(Folder, "a spacing that is given leaves no note of a missing o
             .empty());
 }
 
-TEST_CASE_FIXTURE(Folder, "bytes behind the samples are noted, compressed ones when reached") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "bytes behind the samples are noted, in compressed files after the last slice is read") {
   const std::string behind = " bytes after the samples are left out; check the sizes";
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1\n" + units_in_mm);
   const VolumeInfo whole = read_info(write("v.nrrd", head + "\n" + u8 + "1234567"));
@@ -86,7 +88,7 @@ TEST_CASE_FIXTURE(Folder, "bytes behind the samples are noted, compressed ones w
   CHECK(notes_of(write("v.nrrd.gz", gzip(head + "\n" + u8))).empty());
 }
 
-TEST_CASE_FIXTURE(Folder, "surplus bytes are noted only behind the last of several volumes") {
+TEST_CASE_FIXTURE(Folder, "surplus bytes are noted only behind the last volume of a file") {
   VolumeOptions options;
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1 1\n" + units_in_mm, "5 3 4 2") + "\n";
   for (const std::uint32_t frame : {0U, 1U}) {
@@ -130,7 +132,7 @@ TEST_CASE_FIXTURE(Folder, "further arrays in VTK's files are noted") {
   CHECK(notes_of(write("v.vti", vti(spacing, "Scalars=\"a\">" + in_place))) == Notes{no_unit});
 }
 
-TEST_CASE("a note is printed once") {
+TEST_CASE("equal notes of a volume are printed once") {
   VolumeInfo info;
   note(info, "a");
   note(info, "b");

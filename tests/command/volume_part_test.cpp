@@ -78,7 +78,7 @@ Sample shrunk_block(const std::vector<Sample>& samples, SampleType type,
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "a crop keeps its ranges with their ends, of samples of every type") {
+TEST_CASE_FIXTURE(Folder, "--crop keeps ranges including both ends, for samples of every type") {
   for (const auto& [called, type] : discmc::command::sample_types) {
     const std::string_view name = called;
     INFO(name);
@@ -95,7 +95,7 @@ TEST_CASE_FIXTURE(Folder, "a crop keeps its ranges with their ends, of samples o
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "an omitted end is that of the volume") {
+TEST_CASE_FIXTURE(Folder, "an omitted end of a --crop range is the end of the volume") {
   const auto file = write("v.raw", u8);
   const auto whole = read_samples(file, options_of(SampleType::u8));
   const auto all = open_volume(file, with_crop(options_of(SampleType::u8), Crop{}));
@@ -107,7 +107,7 @@ TEST_CASE_FIXTURE(Folder, "an omitted end is that of the volume") {
   CHECK(rest == std::vector<double>(whole.begin() + 30, whole.end()));
 }
 
-TEST_CASE_FIXTURE(Folder, "a part outside the volume is refused with the extents of the volume") {
+TEST_CASE_FIXTURE(Folder, "a --crop outside the volume is refused with the extents of the volume") {
   const auto file = write("v.raw", u8);
   const auto refused = [&](const Crop& crop) {
     return refusal(file, with_crop(options_of(SampleType::u8), crop));
@@ -118,14 +118,14 @@ TEST_CASE_FIXTURE(Folder, "a part outside the volume is refused with the extents
   check_refusal(refused({{{}, {}, {0, 4}}}), "a part of 0..3");
 }
 
-TEST_CASE_FIXTURE(Folder, "slices behind the part are not read") {
+TEST_CASE_FIXTURE(Folder, "with --crop, slices behind the part are not read") {
   const std::string cut = nrrd(nrrd_u8) + "\n" + u8.substr(0, 46);
   const auto file = write("v.nrrd", cut);
   CHECK(read_samples(file, with_crop({}, {{{}, {}, {1, 2}}})).size() == 30);
   check_refused(file, with_crop({}, {{{}, {}, {1, 3}}}), "14 bytes of it are missing");
 }
 
-TEST_CASE_FIXTURE(Folder, "the voxels of a part keep their position in space") {
+TEST_CASE_FIXTURE(Folder, "voxels keep their position in space with --crop and --shrink") {
   for (const std::string& lines : placements) {
     INFO(lines);
     const auto file = write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8);
@@ -142,7 +142,7 @@ TEST_CASE_FIXTURE(Folder, "the voxels of a part keep their position in space") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a given spacing applies to the voxels before shrinking") {
+TEST_CASE_FIXTURE(Folder, "--spacing applies to the voxels before --shrink") {
   VolumeOptions options = with_shrink(with_crop(options_of(SampleType::u8), middle), 2);
   options.spacing_mm = {0.5, 2, 3};
   const auto file = write("v.raw", u8);
@@ -151,7 +151,8 @@ TEST_CASE_FIXTURE(Folder, "a given spacing applies to the voxels before shrinkin
   check_places(read_info(file, options), whole, {1.5, 1.5, 0.5}, 2);
 }
 
-TEST_CASE_FIXTURE(Folder, "a block becomes the mean of its samples, also if the border cuts it") {
+TEST_CASE_FIXTURE(Folder,
+                  "--shrink gives the mean of each block, also of blocks that the border cuts") {
   std::minstd_rand random(1);
   for (const auto& [called, type] : discmc::command::sample_types)
     for (const std::uint32_t extent : {2U, 3U, 16U}) {
@@ -194,7 +195,8 @@ TEST_CASE_FIXTURE(Folder, "a block becomes the mean of its samples, also if the 
 }
 
 // The same volume as shrunk on a device.
-TEST_CASE_FIXTURE(Folder, "a device that crops or averages has the voxels of --crop and --shrink") {
+TEST_CASE_FIXTURE(Folder,
+                  "RowCropper and Downsampler give the same voxels as --crop and --shrink") {
   using namespace discmc;
   const auto file = write("v.raw", stored(SampleType::i16));
   const auto whole = read_samples(file, options_of(SampleType::i16));
@@ -222,7 +224,7 @@ TEST_CASE_FIXTURE(Folder, "a device that crops or averages has the voxels of --c
   }
 }
 
-TEST_CASE("means of integers are exact, and halves are rounded up") {
+TEST_CASE("--shrink computes exact means of integers and rounds halves up") {
   constexpr auto most = std::numeric_limits<std::uint64_t>::max();
   constexpr auto least = std::numeric_limits<std::int64_t>::min();
   using U64 = std::vector<std::uint64_t>;
@@ -242,7 +244,7 @@ TEST_CASE("means of integers are exact, and halves are rounded up") {
   CHECK(shrunk_block(std::vector<std::uint8_t>{255, 255, 255, 254}, SampleType::u8) == 255);
 }
 
-TEST_CASE("a block is not a number only if all its samples are") {
+TEST_CASE("a shrunk block is NaN only if all samples of the block are NaN") {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   constexpr double nan_f64 = std::numeric_limits<double>::quiet_NaN();
   using F32 = std::vector<float>;
@@ -256,7 +258,9 @@ TEST_CASE("a block is not a number only if all its samples are") {
   CHECK(shrunk_block(F32{3e38F, 3e38F}, SampleType::f32) == 3e38F);
 }
 
-TEST_CASE("a block of labels becomes the most frequent one, of several the first") {
+TEST_CASE(
+    "a shrunk block of labels is the most frequent label, or the first of equally frequent "
+    "labels") {
   using U16 = std::vector<std::uint16_t>;
   const auto label = [](const U16& labels) {
     return shrunk_block(labels, SampleType::u16, BlockValue::most_frequent);
@@ -268,7 +272,7 @@ TEST_CASE("a block of labels becomes the most frequent one, of several the first
   CHECK(label({40000, 40000, 40000, 40000, 40000, 40000, 40000, 40000}) == 40000);
 }
 
-TEST_CASE_FIXTURE(Folder, "a block has a label of its own voxels, even at the border") {
+TEST_CASE_FIXTURE(Folder, "a shrunk block has a label of its own voxels, even at the border") {
   // Blocks of 2 x 2 x 2, each with its number as a label, and one voxel of another label.
   const Dims size = {5, 3, 3};
   std::vector<std::uint8_t> labels;
@@ -285,7 +289,8 @@ TEST_CASE_FIXTURE(Folder, "a block has a label of its own voxels, even at the bo
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE_FIXTURE(Folder, "voxels that would be too large to place are refused") {
+TEST_CASE_FIXTURE(Folder,
+                  "--shrink is refused if the shrunk voxels are too large for a placement") {
   const auto file = write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 1 1e6\n") + "\n" + u8);
   check_refused(file, with_shrink({}, 2), "1e6 mm apart; give the distances");
   CHECK(read_info(file, with_crop({}, middle)).dims == Dims{3, 2, 3});

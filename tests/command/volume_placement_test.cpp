@@ -93,7 +93,9 @@ TEST_CASE_FIXTURE(Headers, "NRRD with spacings alone lies along the coordinates 
                   Space::scanner, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
 }
 
-TEST_CASE_FIXTURE(Headers, "NRRD's axis mins and maxs bound voxels or their centres") {
+TEST_CASE_FIXTURE(
+    Headers,
+    "NRRD's axis mins and maxs bound voxels or voxel centres, depending on the centering") {
   const std::string bounds = "axis mins: -20 3 40\naxis maxs: -17.5 -3 64\n";
   const VolumeInfo cells = nrrd_info(bounds + units_in_mm + "centerings: cell cell cell\n");
   check_placement(cells, Space::scanner, {-19.75, 2, 43}, {{{0.5, 0, 0}, {0, -2, 0}, {0, 0, 6}}});
@@ -128,7 +130,8 @@ TEST_CASE_FIXTURE(Headers, "NRRD's thicknesses replace a missing spacing") {
         std::vector<std::string>{"no spacing of axis 3 given, its thickness is used"});
 }
 
-TEST_CASE_FIXTURE(Headers, "unknown units are noted") {
+TEST_CASE_FIXTURE(Headers,
+                  "unknown or missing units of length are noted, and millimetres are assumed") {
   const VolumeInfo nrrd = nrrd_info("spacings: 1 2 3\nunits: mm furlong \"\"\n");
   CHECK(noted(nrrd, "unit 'furlong' is unknown, mm assumed"));
   CHECK(noted(nrrd_info("spacings: 1 2 3\n"), "no unit of length given, mm assumed"));
@@ -139,7 +142,7 @@ TEST_CASE_FIXTURE(Headers, "unknown units are noted") {
               "no unit of length given, mm assumed"));
 }
 
-TEST_CASE_FIXTURE(Headers, "a space that NRRD does not have is noted") {
+TEST_CASE_FIXTURE(Headers, "an undefined NRRD space is noted") {
   const std::string steps = "space directions: (1,0,0) (0,1,0) (0,0,1)\n" + units_in_mm;
   const VolumeInfo info = nrrd_info("space: right-posterior-superior\n" + steps);
   CHECK(info.notes == std::vector<std::string>{
@@ -166,7 +169,7 @@ TEST_CASE_FIXTURE(Headers, "NIfTI's sform is used unchanged, in RAS") {
                   {{{0.0004, 0.0003, 0}, {-0.001, 0.0015, 0.00025}, {0.0005, 0, 0.003}}});
 }
 
-TEST_CASE_FIXTURE(Headers, "NIfTI's qform turns by its quaternion and flips z by qfac") {
+TEST_CASE_FIXTURE(Headers, "NIfTI's qform rotates by its quaternion and flips z by qfac") {
   Nifti nifti = nifti_of_spacing();
   // Half of a right angle about z, so b and c are 0.
   nifti.integer(252, 2, 1).real(264, 0.70710678F).real(268, 7).real(272, -8).real(276, 9);
@@ -253,7 +256,8 @@ TEST_CASE_FIXTURE(Headers, "MetaImage's matrix has one axis per row, and its ori
               "TransformMatrix of 4 numbers is ignored"));
 }
 
-TEST_CASE_FIXTURE(Headers, "MetaImage's letters are noted if they contradict the matrix") {
+TEST_CASE_FIXTURE(Headers,
+                  "MetaImage's AnatomicalOrientation is noted if it contradicts the matrix") {
   const std::string matrix = "ElementSpacing = 1 1 1\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\n";
   CHECK(metaimage_info(matrix + "AnatomicalOrientation = RPI\n").notes.empty());
   CHECK(metaimage_info(matrix + "AnatomicalOrientation = ???\n").notes.empty());
@@ -261,7 +265,8 @@ TEST_CASE_FIXTURE(Headers, "MetaImage's letters are noted if they contradict the
               "AnatomicalOrientation 'RAI' is ignored; by the TransformMatrix it is 'RPI'"));
 }
 
-TEST_CASE_FIXTURE(Headers, "lengths of atoms are enlarged together, with a note") {
+TEST_CASE_FIXTURE(Headers,
+                  "spacings of nanometres are enlarged together with the origin, with a note") {
   for (const std::string place : {"units: \"nm\" \"nm\" \"nm\"\nspacings: 0.5 1 2\n",
                                   "space: LPS\nspace directions: (5e-7,0,0) (0,1e-6,0) (0,0,2e-6)\n"
                                   "space origin: (5e-6,0,0)\n"}) {
@@ -275,7 +280,8 @@ TEST_CASE_FIXTURE(Headers, "lengths of atoms are enlarged together, with a note"
   CHECK(noted(nrrd_info("spacings: 1 1 1e-9\n"), "is unusable, 1 mm assumed"));
 }
 
-TEST_CASE_FIXTURE(Headers, "an unusable placement is replaced by the coordinates, with a note") {
+TEST_CASE_FIXTURE(
+    Headers, "an unusable placement is replaced by one along the coordinate axes, with a note") {
   const VolumeInfo flat = nrrd_info(
       "space: LPS\nspace directions: (1,0,0) (0,2,0) (1,1,0)\n"
       "space origin: (1,2,3)\n");

@@ -56,7 +56,7 @@ std::string complaint(ThresholdRule rule, const VolumeStatistics& statistics) {
 
 }  // namespace
 
-TEST_CASE("a percentile is the sample that the given share of samples does not exceed") {
+TEST_CASE("a percentile is the smallest sample that the given share of samples does not exceed") {
   std::vector<int> samples;
   for (int i = 200; i > 0; --i) samples.push_back(i);
   const VolumeStatistics statistics = statistics_of(samples, SampleType::u8);
@@ -68,7 +68,7 @@ TEST_CASE("a percentile is the sample that the given share of samples does not e
   CHECK(percentile(statistics, 0.75) == 2);
 }
 
-TEST_CASE("statistics have the values that the file declares") {
+TEST_CASE("statistics of a volume apply the file's slope and intercept") {
   class Scaled final : public VolumeReader {
    public:
     Scaled() {
@@ -111,7 +111,7 @@ TEST_CASE("Otsu's threshold has the largest variance between classes") {
   }
 }
 
-TEST_CASE("the threshold with few digits is chosen among equivalent ones") {
+TEST_CASE("among equivalent thresholds, the one with the fewest digits is chosen") {
   const auto between = [](double low, double high) {
     return *otsu_threshold(statistics_of({{low, 1}, {high, 1}}));
   };
@@ -156,7 +156,8 @@ TEST_CASE("padding outside the scanned circle of CT does not move Otsu's thresho
   CHECK(!padding_value(statistics));
 }
 
-TEST_CASE("Hounsfield units are detected by the file or by values from air to bone") {
+TEST_CASE(
+    "Hounsfield units are detected from the file or from values that range from air to bone") {
   const VolumeStatistics ct = statistics_of({{-1000, 5}, {40, 5}, {900, 1}});
   const VolumeStatistics mri = statistics_of({{0, 5}, {40, 5}, {900, 1}});
   VolumeInfo declared;
@@ -172,7 +173,7 @@ TEST_CASE("Hounsfield units are detected by the file or by values from air to bo
   CHECK(otsu.iso == *otsu_threshold(mri));
 }
 
-TEST_CASE("an unsuitable threshold is refused with the range of values") {
+TEST_CASE("a named threshold unsuitable for the volume is refused with the range of values") {
   const VolumeStatistics mri = statistics_of({{0, 5}, {900, 1}});
   CHECK(complaint(ThresholdRule::bone, mri) ==
         "--iso bone needs Hounsfield units, and the values are 0 to 900; give a number or --iso "
@@ -183,7 +184,7 @@ TEST_CASE("an unsuitable threshold is refused with the range of values") {
         "no value is finite, so there is no threshold; check the file");
 }
 
-TEST_CASE("a value is printed with its own digits") {
+TEST_CASE("a value is printed without digits that result from rounding") {
   CHECK(value_text(300) == "300");
   CHECK(value_text(-1024.5) == "-1024.5");
   CHECK(value_text(static_cast<double>(0.1F)) == "0.1");

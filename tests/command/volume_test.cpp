@@ -27,7 +27,9 @@ TEST_CASE_FIXTURE(Folder, "raw samples of every type and byte order are read") {
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "a raw layout keeps its spacing and is checked before anything is read") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "--spacing applies to headerless samples, whose --dims are checked before anything is read") {
   const auto file = write("v.raw", u8);
   RawLayout layout{{5, 3, 4}};
   const Spacing spacing = {0.5, -0.25, 2};
@@ -41,7 +43,8 @@ TEST_CASE_FIXTURE(Folder, "a raw layout keeps its spacing and is checked before 
   check_refused(file, {layout}, "dimension 2 has size 0");
 }
 
-TEST_CASE_FIXTURE(Folder, "a given spacing replaces the file's; axes keep their directions") {
+TEST_CASE_FIXTURE(Folder,
+                  "--spacing replaces the file's spacing and keeps the directions of axes") {
   const auto file =
       write("v.nrrd", nrrd(nrrd_u8 + "space: LPS\nspace directions: (0.5,0,0) (0,-2,0) (0,0,3)\n") +
                           "\n" + u8);
@@ -75,7 +78,8 @@ TEST_CASE_FIXTURE(Folder, "NRRD of every type, byte order, encoding and attachme
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "NRRD skips lines of the file and bytes of its content") {
+TEST_CASE_FIXTURE(
+    Folder, "NRRD's line skip applies to the file, and byte skip to the uncompressed content") {
   const std::string skips = "line skip: 2\nbyteskip: 3\n";
   const std::string gzip_u8 = "type: uchar\nencoding: gz\n";
   check_volume(write("a.nrrd", nrrd(nrrd_u8 + skips) + "\none\ntwo\nxyz" + u8), "NRRD, raw");
@@ -110,7 +114,7 @@ TEST_CASE_FIXTURE(Folder, "the spacing of NRRD is signed and in millimetres") {
         Spacing{-1, 1, 1});
 }
 
-TEST_CASE_FIXTURE(Folder, "interleaved volumes or channels are read one at a time") {
+TEST_CASE_FIXTURE(Folder, "one of several interleaved NRRD volumes or channels is read at a time") {
   for (const auto& [called, name] : {std::pair<SampleType, std::string>{SampleType::u8, "uchar"},
                                      {SampleType::i16, "short"},
                                      {SampleType::f64, "double"}}) {
@@ -231,12 +235,14 @@ TEST_CASE_FIXTURE(Folder, "a fourth dimension of size 1 is dropped with a note i
     CHECK(noted(read_info(file), "dimension 4 of size 1 is dropped"));
 }
 
-TEST_CASE_FIXTURE(Folder, "further axes of NIfTI without a size are ignored") {
+TEST_CASE_FIXTURE(Folder, "NIfTI axes beyond the third with size 0 are ignored") {
   check_volume(write("v.nii", Nifti().dims({5, 5, 3, 4, 0, 0}).file(u8)), "NIfTI-1");
 }
 
 // container_table_test reads files of either byte order.
-TEST_CASE_FIXTURE(Folder, "NIfTI is read without an extension, packed, in pairs and members") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "NIfTI is read without an extension, compressed, in pairs and in concatenated gzip members") {
   check_volume(write("no_extension", Nifti(true).type(4).file(stored(SampleType::i16, true))),
                SampleType::i16, "NIfTI-1");
   write("pair.img", u8);
@@ -369,7 +375,8 @@ TEST_CASE_FIXTURE(Folder, "unsupported MetaImage is refused by name") {
   check_refused(write("v.mhd", "NDims = 3\n"), "ElementDataFile is missing");
 }
 
-TEST_CASE_FIXTURE(Folder, "data that ends early is refused with the slice and missing bytes") {
+TEST_CASE_FIXTURE(
+    Folder, "samples that end early are refused with the slice and the number of missing bytes") {
   const std::string header = nrrd("type: short\nendian: little\nencoding: raw\n\n");
   for (const std::size_t kept : {0U, 29U, 30U, 31U, 119U}) {
     const auto file = write("v.nrrd", header + i16.substr(0, kept));
@@ -383,7 +390,7 @@ TEST_CASE_FIXTURE(Folder, "data that ends early is refused with the slice and mi
   CHECK_THROWS_AS(reader->read_slice(slice), VolumeError);
 }
 
-TEST_CASE_FIXTURE(Folder, "compressed data that ends early or is damaged is refused") {
+TEST_CASE_FIXTURE(Folder, "compressed samples that end early or are damaged are refused") {
   const std::string header = nrrd("type: short\nendian: little\nencoding: gzip\n\n");
   const std::string packed = gzip(i16);
   for (std::size_t kept = 0; kept < packed.size(); ++kept)
@@ -396,7 +403,8 @@ TEST_CASE_FIXTURE(Folder, "compressed data that ends early or is damaged is refu
                 "slice 2 (the first is 0) of 4: 15 bytes of it are missing");
 }
 
-TEST_CASE_FIXTURE(Folder, "a file of no known format, a folder and a missing file are refused") {
+TEST_CASE_FIXTURE(
+    Folder, "a file of unknown format, a folder without a volume and a missing file are refused") {
   check_refused(write("v.dat", "DICM"), "format is unknown");
   check_refused(write("v.dat", "%PDF-1.4"), "this is PDF, which is not supported");
   check_refused(write("v.DMC", ""), "a stream, not a volume; give it to discmc decode");
@@ -408,7 +416,8 @@ TEST_CASE_FIXTURE(Folder, "a file of no known format, a folder and a missing fil
   check_refused(path() / "folder.nrrd", "holds no DICOM files and no pictures");
 }
 
-TEST_CASE("a stored sample reaches the stored threshold exactly if its value reaches iso") {
+TEST_CASE(
+    "a stored sample reaches the stored threshold exactly if the scaled sample reaches --iso") {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto threshold = [](double slope, double intercept, double iso) {
     VolumeInfo info;

@@ -20,7 +20,7 @@ const std::string appended = "<AppendedData encoding=\"raw\">\n _???" + length +
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "the array named as the scalars is read from several in VTK's XML") {
+TEST_CASE_FIXTURE(Folder, "VTK XML with several arrays is read from the array that Scalars names") {
   const std::string first =
       "<DataArray type=\"Int16\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
   const std::string second =
@@ -32,7 +32,8 @@ TEST_CASE_FIXTURE(Folder, "the array named as the scalars is read from several i
       "VTK XML, raw");
 }
 
-TEST_CASE_FIXTURE(Folder, "the first voxel of VTK's XML is placed for any first index") {
+TEST_CASE_FIXTURE(
+    Folder, "the first voxel of VTK's XML is placed correctly for any first index of the extent") {
   const std::string file =
       vti("", whole + " Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\"",
           ">" + appended_array, appended);
@@ -75,7 +76,7 @@ TEST_CASE_FIXTURE(Folder, "in VTK's XML an axis of negative spacing runs backwar
                 "Direction is '1 0 0 1', which is not 9 numbers");
 }
 
-TEST_CASE_FIXTURE(Folder, "a rectilinear grid of even steps in VTK's XML is a volume") {
+TEST_CASE_FIXTURE(Folder, "a rectilinear grid with even steps in VTK's XML is read as a volume") {
   const auto text = [](const std::string& numbers) {
     return "<DataArray type=\"Float64\" format=\"ascii\">" + numbers + "</DataArray>";
   };
@@ -178,7 +179,7 @@ TEST_CASE("the pieces of a .pvti file are one volume, in any order") {
   for (int i = 0; i < 15; ++i) CHECK(slice[i] == sample_at(30 + i, SampleType::u8));
 }
 
-TEST_CASE("a folder of pieces is one volume, unless it also has another image") {
+TEST_CASE("a folder of .vti pieces is one volume, and is refused if it has another image") {
   const Pieces pieces;
   pieces.write(left + right);
   check_volume(pieces.folder().path(), "VTK XML, text, in pieces");
@@ -186,7 +187,7 @@ TEST_CASE("a folder of pieces is one volume, unless it also has another image") 
   check_refused(pieces.folder().path(), "several volumes in folders: 2");
 }
 
-TEST_CASE("a channel is chosen in pieces as in one image") {
+TEST_CASE("--channel applies to all pieces of a .pvti file") {
   const Pieces pieces;
   pieces.write_piece("left.vti", 0, "UInt8", 3);
   pieces.write_piece("right.vti", 2, "UInt8", 3);
@@ -203,7 +204,7 @@ TEST_CASE("a channel is chosen in pieces as in one image") {
       VolumeError);
 }
 
-TEST_CASE("pieces that are not the whole image are refused") {
+TEST_CASE("pieces of a .pvti file that do not form the whole image are refused") {
   const Pieces pieces;
   const auto check = [&](const std::string& list, const std::string& part,
                          const std::string& extent = "5 9 0 2 -1 2") {

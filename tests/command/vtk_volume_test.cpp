@@ -18,7 +18,8 @@ std::string numpy(const std::string& dictionary) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "VTK's samples may be scalars, colours or a field, and have a place") {
+TEST_CASE_FIXTURE(Folder,
+                  "legacy VTK samples are read from scalars, colours or a field, with placement") {
   const std::string field = "POINT_DATA 60\nFIELD FieldData 1\na 1 60 unsigned_char\n";
   const std::string colours = "POINT_DATA 60\nCOLOR_SCALARS a 1\n";
   for (const std::string& array : {scalars, field, colours}) {
@@ -30,7 +31,7 @@ TEST_CASE_FIXTURE(Folder, "VTK's samples may be scalars, colours or a field, and
   check_origin(info, {7, 8, -9});
 }
 
-TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
+TEST_CASE_FIXTURE(Folder, "field data before the image in legacy VTK is skipped") {
   const std::string metadata = "METADATA\nINFORMATION 0\n\n";
   const std::string eight = std::string("\0\12 3\4\5\6\7", 8);  // with a line break in it
   const std::string field = "FIELD FieldData 2\nTIME 1 1 double\n" + eight + "\n" + metadata +
@@ -46,7 +47,7 @@ TEST_CASE_FIXTURE(Folder, "field data of VTK before the image is left out") {
                "VTK, text");
 }
 
-TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars is a channel") {
+TEST_CASE_FIXTURE(Folder, "components of legacy VTK vectors and scalars are chosen as channels") {
   std::string samples, text;
   for (const char sample : u8)
     for (const char each : {sample, static_cast<char>(sample ^ 1), '\7'}) {
@@ -69,7 +70,7 @@ TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars i
                "VTK, text", options);
 }
 
-TEST_CASE_FIXTURE(Folder, "VTK's samples may be cell data, at the centres between points") {
+TEST_CASE_FIXTURE(Folder, "cell data of legacy VTK is placed at the centres between points") {
   const std::string cells =
       "DATASET STRUCTURED_POINTS\nDIMENSIONS 6 4 5\nSPACING 1 2 3\nORIGIN 7 8 -9\nCELL_DATA 60\n"
       "SCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
@@ -100,7 +101,7 @@ TEST_CASE_FIXTURE(Folder, "unsupported legacy VTK is refused by name") {
   check("# vtk DataFile Version 3.0\n\nASCI\n", "third line is 'asci'");
 }
 
-TEST_CASE_FIXTURE(Folder, "an array of NumPy has x along contiguous samples") {
+TEST_CASE_FIXTURE(Folder, "a NumPy array has x along its contiguous axis") {
   const std::string c_order = "{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, 5), }\n";
   const std::string fortran = "{'descr': '|u1', 'fortran_order': True, 'shape': (5, 3, 4), }\n";
   const auto c_file = write("c.npy", numpy(c_order) + u8);
@@ -126,7 +127,8 @@ TEST_CASE_FIXTURE(Folder, "unsupported NumPy is refused by name") {
   check(std::string("\x93NUMPY\2\0\xff\xff\xff\xff", 12), "header has 4294967295 bytes");
 }
 
-TEST_CASE_FIXTURE(Folder, "an InVesalius project has y backwards, and is read from files only") {
+TEST_CASE_FIXTURE(
+    Folder, "an InVesalius project is read with y backwards, and a damaged project is refused") {
   const fs::path project = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes" /
                            "invesalius" / "i16-little.inv3";
   CHECK(read_info(project).spacing_mm == Spacing{0.5, -0.75, 2});

@@ -30,7 +30,7 @@ VolumeOptions floats(std::uint32_t width, std::uint32_t depth = 1) {
 
 }  // namespace
 
-TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
+TEST_CASE("values within 0.01 of an integer are rounded to labels and counted") {
   const float nan = std::nanf("");
   const Read read = read_labels(
       bytes_of(std::vector<float>{0, 0.99F, 1, 1.01F, 1.01F, -2.009F, nan, nan, 3}), floats(9));
@@ -42,7 +42,9 @@ TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
             "2 samples are not a number (NaN) and count as off"});
 }
 
-TEST_CASE_FIXTURE(Folder, "rounding of the slope is tolerated, and larger deviations are not") {
+TEST_CASE_FIXTURE(
+    Folder,
+    "labels scaled by a slope tolerate rounding errors, and larger deviations are refused") {
   const auto nifti = [](float intercept, const std::vector<std::int16_t>& samples) {
     return Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, intercept).file(bytes_of(samples));
   };
@@ -57,7 +59,7 @@ TEST_CASE_FIXTURE(Folder, "rounding of the slope is tolerated, and larger deviat
   for (const std::string& note : labels->notes()) CHECK_FALSE(contains(note, "rounded"));
 }
 
-TEST_CASE("values that are no labels are refused with their slice") {
+TEST_CASE("values that are no integers are refused as labels with their slice") {
   const auto refused = [](const std::vector<float>& samples, const std::string& part) {
     const auto depth = static_cast<std::uint32_t>(samples.size());
     CHECK_THROWS_WITH_AS(read_labels(bytes_of(samples), floats(1, depth)),
@@ -79,7 +81,7 @@ TEST_CASE("integer samples are kept as labels unchanged") {
   }
 }
 
-TEST_CASE("labels are rounded before blocks become the one that most voxels have") {
+TEST_CASE("labels are rounded before --shrink chooses the most frequent label of a block") {
   VolumeOptions options = floats(4);
   options.shrink = 4;
   options.block_value = BlockValue::most_frequent;

@@ -48,7 +48,8 @@ struct ZarrFolder : Folder {
   }
 };
 
-TEST_CASE_FIXTURE(ZarrFolder, "the finest or the chosen level is read with its own scale") {
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "the finest or the chosen level of OME-Zarr is read with the level's own scale") {
   const fs::path ome = path() / "image.ome.zarr";
   write_image(ome, zyx_axes,
               dataset("full", "[2000, 750, 500]") + ", " + dataset("half", "[4000, 1500, 1000]"));
@@ -73,7 +74,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "the finest or the chosen level is read with its o
 
 TEST_CASE_FIXTURE(
     ZarrFolder,
-    "a level whose path leads out of the image is refused, and one in its folders is read") {
+    "an OME-Zarr level whose path leads out of the image is refused; sub-folders are accepted") {
   write_array(path() / "outside", {4, 3, 5}, u8);
   for (const std::string level : {"../outside", "a/../../outside", "/outside", R"(..\\outside)"}) {
     CAPTURE(level);
@@ -85,7 +86,7 @@ TEST_CASE_FIXTURE(
   check_volume(image, "OME-Zarr");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "a level with slices that are too large is skipped") {
+TEST_CASE_FIXTURE(ZarrFolder, "an OME-Zarr level with too large slices is skipped") {
   write_image(image, zyx_axes, dataset("0", "[1, 1, 1]") + ", " + dataset("1", "[4, 3, 5]"));
   write_array(image / "0", {4, 3, 40000}, u8);
   write_array(image / "1", {4, 3, 5}, u8);
@@ -93,7 +94,8 @@ TEST_CASE_FIXTURE(ZarrFolder, "a level with slices that are too large is skipped
   check_refused(image, with(&VolumeOptions::level, 0), "size 40000, outside 1 to 32766");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "scales and translations of a level and of all levels are combined") {
+TEST_CASE_FIXTURE(
+    ZarrFolder, "OME-Zarr scales and translations of a level and of the whole image are combined") {
   write_image(
       image, zyx_axes,
       dataset("0", "[2, 1, 1]", R"(, {"type": "translation", "translation": [10, 20, 30]})"),
@@ -103,7 +105,8 @@ TEST_CASE_FIXTURE(ZarrFolder, "scales and translations of a level and of all lev
   check_grid(info, {0.5, 1, 2}, {15, 20, 10});
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "each axis has its unit, and a missing or unknown one is noted") {
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "each OME-Zarr axis has its own unit, and a missing or unknown unit is noted") {
   write_array(image / "0", {4, 3, 5}, u8);
   write_image(
       image,
@@ -116,7 +119,9 @@ TEST_CASE_FIXTURE(ZarrFolder, "each axis has its unit, and a missing or unknown 
   CHECK(noted(info, "unit 'parsec' is unknown, mm assumed"));
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "a time and a channel are chosen, with the file's names") {
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "--frame and --channel choose a time and a channel of OME-Zarr, and refusals "
+                  "list channel names") {
   write_image(
       image,
       R"([{"name": "t", "type": "time"}, {"name": "c", "type": "channel"},)" + zyx_axes.substr(1),
@@ -140,7 +145,9 @@ TEST_CASE_FIXTURE(ZarrFolder, "a time and a channel are chosen, with the file's 
   CHECK(noted(read_info(image, options), "no spacing given, 1 mm assumed"));
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "missing chunks have the fill value, but one chunk must exist") {
+TEST_CASE_FIXTURE(
+    ZarrFolder,
+    "missing Zarr chunks have the fill value, and an array without any chunk is refused") {
   const auto write_metadata = [this](const std::string& dtype, const std::string& fill) {
     write(array / ".zarray",
           R"({"zarr_format": 2, "shape": [2, 3, 4], "chunks": [1, 2, 3], "dtype": ")" + dtype +
@@ -159,7 +166,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "missing chunks have the fill value, but one chunk
   check_refused(array, "the fill value '\"words\"' is not a sample");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "labels of 64 bits keep all their bits") {
+TEST_CASE_FIXTURE(ZarrFolder, "64-bit labels in Zarr keep all their bits") {
   const std::vector<std::uint64_t> ids = {720575940621039145, 720575940621039146};
   write_array(array, {1, 1, 2}, bytes_of(ids), "<u8");
   const auto reader = open_volume(array);
@@ -170,7 +177,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "labels of 64 bits keep all their bits") {
   CHECK(slice[1] == ids[1]);
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "axes are named by the array, by xarray or by --axes") {
+TEST_CASE_FIXTURE(ZarrFolder, "Zarr axes are named by the array, by xarray or by --axes") {
   write_array(array, {4, 3, 5, 1}, u8);
   check_volume(array, "Zarr");
   CHECK(noted(read_info(array), "axes of size 1 are dropped"));
@@ -186,7 +193,8 @@ TEST_CASE_FIXTURE(ZarrFolder, "axes are named by the array, by xarray or by --ax
   CHECK(samples[4 * 5] == sample_at(5, SampleType::u8));  // along z
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "xarray's coordinates place an array; its fill value is outside") {
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "xarray's coordinates place a Zarr array, and its fill value becomes NaN") {
   const fs::path group = path() / "v.zarr";
   write(group / ".zgroup", R"({"zarr_format": 2})");
   write_array(group / "density", {4, 3, 5}, u8);
@@ -211,7 +219,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "xarray's coordinates place an array; its fill val
   check_refused(group, "the coordinates of the axis 'z' are uneven, from 2 to 16");
 }
 
-TEST_CASE("reading continues in the middle of a chunk after a skip") {
+TEST_CASE("reading a Zarr array continues in the middle of a chunk after a skip") {
   const auto reader = open_volume(files / "i16-big-chunks.zarr");
   reader->skip_slice();
   std::int16_t slice[15];
@@ -223,7 +231,7 @@ TEST_CASE("reading continues in the middle of a chunk after a skip") {
   CHECK_THROWS_WITH_AS(reader->skip_slice(), doctest::Contains("all 4 slices"), VolumeError);
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "a group is read like its only array or image") {
+TEST_CASE_FIXTURE(ZarrFolder, "a Zarr group is read like its only array or image") {
   const fs::path group = path() / "group.zarr";
   write(group / ".zgroup", R"({"zarr_format": 2})");
   write(group / "OME/.zgroup", R"({"zarr_format": 2})");
@@ -236,7 +244,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "a group is read like its only array or image") {
   check_refused(group, "holds several images or arrays: 0, 1; choose one by its folder");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "a zip of Zarr is read like its folder") {
+TEST_CASE_FIXTURE(ZarrFolder, "a zip of a Zarr folder is read like the folder") {
   for (const std::string inside : {"", "image.zarr/"}) {
     const auto file =
         write("image.zarr.zip", zip(members_of(files / "i16-big-chunks.zarr", inside)));
@@ -244,7 +252,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "a zip of Zarr is read like its folder") {
   }
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "an unsupported compressor or filter is refused by its name") {
+TEST_CASE_FIXTURE(ZarrFolder, "an unsupported Zarr compressor or filter is refused by name") {
   const auto refusal_of = [&](const std::string& members) {
     write(array / ".zarray",
           R"({"zarr_format": 2, "shape": [4, 3, 5], "chunks": [4, 3, 5], "fill_value": 0, )" +
@@ -269,7 +277,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "an unsupported compressor or filter is refused by
   check_refused(array, "not a JSON object");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "chunks truncated at any byte are refused") {
+TEST_CASE_FIXTURE(ZarrFolder, "Zarr chunks truncated at any byte are refused") {
   for (const std::string name : {"i16-big-chunks.zarr/0/0/0/0", "i16-big-zlib.zarr/0/0/0/0",
                                  "i16-big-zstd.zarr/0/0/0/0", "i16-big-gzip.zarr/0/0/0/0"}) {
     const fs::path original = files / name;
@@ -326,7 +334,7 @@ std::string shard_codec(bool has_index_at_start, bool has_checksum) {
          (has_index_at_start ? "start" : "end") + R"("}}])";
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "shards are read with their index at either end") {
+TEST_CASE_FIXTURE(ZarrFolder, "Zarr shards are read with the index at the start or the end") {
   for (const bool has_index_at_start : {false, true})
     for (const bool has_checksum : {false, true}) {
       write(array / "zarr.json",
@@ -340,7 +348,8 @@ TEST_CASE_FIXTURE(ZarrFolder, "shards are read with their index at either end") 
     }
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "xarray's fill value may be base64; _Unsigned sets the sign") {
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "xarray's fill value may be base64, and _Unsigned in Zarr determines the sign") {
   const auto write_with = [this](const std::string& attributes) {
     const std::string json = array_json("[4, 3, 5]", "[" + bytes_codec + "]");
     write(array / "zarr.json",
@@ -360,7 +369,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "xarray's fill value may be base64; _Unsigned sets
   CHECK(read_samples(array)[59] == sample_at(59, SampleType::u8) - 256);
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "a shard with a wrong index or checksum is refused") {
+TEST_CASE_FIXTURE(ZarrFolder, "a Zarr shard with a wrong index or checksum is refused") {
   write(array / "zarr.json", array_json("[4, 3, 5]", shard_codec(false, true)));
   std::string bytes = shard(true, false, true);
   for (std::size_t size = 0; size < bytes.size(); size += 9) {
@@ -373,7 +382,9 @@ TEST_CASE_FIXTURE(ZarrFolder, "a shard with a wrong index or checksum is refused
   check_refused(array, "its checksum is wrong");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "a chunk's checksum is verified, and keys of version 2 are read") {
+TEST_CASE_FIXTURE(
+    ZarrFolder,
+    "checksums of Zarr chunks are verified, and version 3 arrays with version 2 keys are read") {
   const std::string keys = R"({"name": "v2", "configuration": {"separator": "."}})";
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "crc32c"}])", keys));
@@ -383,7 +394,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "a chunk's checksum is verified, and keys of versi
   check_refused(array, "its checksum is wrong");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "codecs of version 3 that are not read are refused by their names") {
+TEST_CASE_FIXTURE(ZarrFolder, "unsupported codecs of Zarr version 3 are refused by name") {
   write(array / "c/0/0/0", u8);
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "pcodec"}])"));
@@ -395,7 +406,7 @@ TEST_CASE_FIXTURE(ZarrFolder, "codecs of version 3 that are not read are refused
   check_refused(array, "sizes of chunks do not fit the axes of the array");
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "a small array that claims large slices or chunks is refused") {
+TEST_CASE_FIXTURE(ZarrFolder, "a small Zarr array that claims large slices or chunks is refused") {
   const auto refusal_of = [&](const std::string& shape, const std::string& chunks) {
     write(array / ".zarray", R"({"zarr_format": 2, "dtype": "<f8", "compressor": {"id": "zstd"},)"
                              R"( "fill_value": 0, "shape": )" +
@@ -449,7 +460,8 @@ TEST_CASE_FIXTURE(ZarrFolder, "labels of OME-Zarr have their names and colours")
   CHECK(labels[1].values == std::vector{discmc::meshing::LabelValue(700)});
 }
 
-TEST_CASE_FIXTURE(ZarrFolder, "labels that lie beside the samples of an image are noted") {
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "--labels on an OME-Zarr image notes the folder with the image's labels") {
   const fs::path scan = path() / "scan";
   write_image(scan, zyx_axes, dataset("0", "[1, 1, 1]"));
   write_array(scan / "0", {4, 3, 5}, u8);

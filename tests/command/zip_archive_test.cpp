@@ -34,7 +34,7 @@ std::string refusal_of(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Folder, "a zip is read like the folder that was packed, for any names in it") {
+TEST_CASE_FIXTURE(Folder, "a zip is read like the packed folder, for any names of members") {
   const TemporaryFiles temporary;
   for (const fs::path& packed : {files / "dicom/series", files / "pictures/stack"})
     for (const std::string prefix : {"", "study/a/", "/", "../../"}) {
@@ -53,7 +53,7 @@ TEST_CASE_FIXTURE(Folder, "a zip is read like the folder that was packed, for an
   CHECK(temporary.folders_of_zips() == 0);
 }
 
-TEST_CASE("other files in a zip are ignored, and names may be in any language") {
+TEST_CASE("other files in a zip are ignored, and member names may have non-ASCII characters") {
   const std::size_t slices = read_info(files / "pictures/stack").dims[2];
   for (const std::string folder : {"Sch\xC3\xA4"
                                    "del/",
@@ -96,7 +96,8 @@ TEST_CASE_FIXTURE(Folder, "a pattern selects files in a zip, as the refusal advi
   }
 }
 
-TEST_CASE_FIXTURE(Folder, "no unpacked zip is left after a signal, or after two are open at once") {
+TEST_CASE_FIXTURE(
+    Folder, "unpacked zip files are removed after a signal, and if two zips were open at once") {
   const TemporaryFiles temporary;
   const std::string packed = zip(members_of(files / "dicom/series", "")),
                     command = std::string("'") + DISCMC_COMMAND + "' ",
@@ -113,7 +114,7 @@ TEST_CASE_FIXTURE(Folder, "no unpacked zip is left after a signal, or after two 
   CHECK(temporary.folders_of_zips() == 0);
 }
 
-TEST_CASE("errors name the archive, and the member if a member is at fault") {
+TEST_CASE("errors in a zip name the archive, and the member at fault") {
   Members members = members_of(files / "dicom/series", "series/");
   REQUIRE(members.size() == 5);
   Members fewer = members;
