@@ -29,12 +29,13 @@ discmc_status discmc_row_ring_start(discmc_row_ring** ring, const discmc_row_rin
   const uint64_t bytes = RowRing::bytes_for(config->row_bytes, config->rows);
   const discmc_memory& memory = config->memory;
   if (memory.data == nullptr || memory.bytes < bytes) return DISCMC_TOO_LITTLE_MEMORY;
-  const auto of_rows = static_cast<size_t>(bytes);
+  const auto ring_bytes = static_cast<size_t>(bytes);
   Memory rest;
   auto* const object = begin<discmc_row_ring>(
-      {static_cast<uint8_t*>(memory.data) + of_rows, memory.bytes - of_rows}, rest);
+      {static_cast<uint8_t*>(memory.data) + ring_bytes, memory.bytes - ring_bytes}, rest);
   if (object == nullptr) return DISCMC_TOO_LITTLE_MEMORY;
-  const Status status = object->ring.start(config->row_bytes, config->rows, {memory.data, of_rows});
+  const Status status =
+      object->ring.start(config->row_bytes, config->rows, {memory.data, ring_bytes});
   if (status == Status::ok) *ring = object;
   return c(status);
 }

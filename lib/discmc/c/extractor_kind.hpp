@@ -101,10 +101,11 @@ struct ExtractorKind {
                                  const void* samples, uint32_t count, uint32_t stride) {
     discmc_push_result result{DISCMC_BAD_SAMPLES, 0};
     Scanner& scanner = in(extractor);
-    const bool is_taken = ((type == type_of<Samples> &&
-                            (result = push_as<Samples>(scanner, samples, count, stride), true)) ||
-                           ...);
-    (void)is_taken;
+    const bool is_supported =
+        ((type == type_of<Samples> &&
+          (result = push_as<Samples>(scanner, samples, count, stride), true)) ||
+         ...);
+    (void)is_supported;
     return result;
   }
 

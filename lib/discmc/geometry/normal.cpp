@@ -81,8 +81,8 @@ AxisWeights axis_weights(const int32_t (&spacing)[3]) {
   const LongVector weight = scaled(products, 30);
   // Never returns 0, which would lose a normal along the axis.
   const auto signed_as = [](int32_t value, int64_t size) {
-    const int64_t some = size > 0 ? size : 1;
-    return static_cast<int32_t>(value < 0 ? -some : some);
+    const int64_t nonzero_size = size > 0 ? size : 1;
+    return static_cast<int32_t>(value < 0 ? -nonzero_size : nonzero_size);
   };
   return {signed_as(spacing[0], weight.x), signed_as(spacing[1], weight.y),
           signed_as(spacing[2], weight.z)};

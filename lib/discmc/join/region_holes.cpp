@@ -13,7 +13,7 @@ void mark_rings_inside(uint32_t outer, WaitingChains& waiting) {
     waiting.rings().note(chains, ring.incidence, at, run);
     at = after_run(ring.incidence, at, run);
   }
-  waiting.rings().visit_beside_notes(
+  waiting.rings().take_beside_notes(
       chains, !ring.is_hole(), [&](uint32_t inside) { chains[inside].set(HeldChain::within); });
 }
 
@@ -51,7 +51,7 @@ uint32_t RegionHoles::claim(WaitingChains& waiting) {
   is_followed_ = false;
   HeldChains& chains = waiting.chains();
   uint32_t inside = no_chain;
-  waiting.rings().visit_beside_notes(chains, true, [&](uint32_t ring) {
+  waiting.rings().take_beside_notes(chains, true, [&](uint32_t ring) {
     chains[ring].next = inside;
     inside = ring;
   });

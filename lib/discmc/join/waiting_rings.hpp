@@ -8,7 +8,7 @@
 namespace discmc::detail::join {
 
 /// Finds the waiting rings inside another ring, or inside a region: note() all sides, then
-/// visit_beside_notes(). Cost: per side, a look-up in a tree for each line of the plane that it
+/// take_beside_notes(). Cost: per side, a look-up in a tree for each line of the plane that it
 /// crosses and that has rings.
 class WaitingRings {
  public:
@@ -23,13 +23,13 @@ class WaitingRings {
   }
 
   /// Notes a side of a ring, from a vertex along a run. Limit: no ring begins or ceases to wait
-  /// until visit_beside_notes() or forget_notes().
+  /// until take_beside_notes() or forget_notes().
   void note(HeldChains& chains, Incidence incidence, const Vertex& from, Run run);
 
   /// Calls visit(ring) for the rings to the left of the noted sides, or to the right, and forgets
   /// the notes.
   template <class Visit>
-  void visit_beside_notes(HeldChains& chains, bool is_left, Visit visit);
+  void take_beside_notes(HeldChains& chains, bool is_left, Visit visit);
   void forget_notes(HeldChains& chains) {
     while (first_noted_ != no_chain) forget_first_note(chains);
   }
@@ -70,7 +70,7 @@ class WaitingRings {
 };
 
 template <class Visit>
-void WaitingRings::visit_beside_notes(HeldChains& chains, bool is_left, Visit visit) {
+void WaitingRings::take_beside_notes(HeldChains& chains, bool is_left, Visit visit) {
   for (uint32_t ring = first_noted_; ring != no_chain; ring = chains[ring].next_noted) {
     if (chains[ring].has(HeldChain::leads_left) != is_left) continue;
     for (uint32_t behind = ring;;) {

@@ -58,7 +58,7 @@ class RowCode {
     left_ = width;
     word_ = 0;
     bit_ = 2;
-    previous_voxels_ = 0;
+    previous_voxel_word_ = 0;
     level_end_ = width;
   }
   bool is_done() const { return left_ == 0; }
@@ -74,9 +74,9 @@ class RowCode {
     DISCMC_LIMIT(!is_done());
     const uint32_t neighbours = differing_neighbours();
     const uint32_t level = neighbours % context::voxels == 0 ? level_voxels() : 0;
-    bool differs = true;
+    bool next_differs = true;
     if (level < 2) {
-      differs = coder.code_bit(model[context::voxel + neighbours], this->differs());
+      next_differs = coder.code_bit(model[context::voxel + neighbours], differs());
     } else {
       uint32_t same = same_voxels(level);
       const bool is_whole = coder.code_bit(model[run_context(level)], same == level);
@@ -85,7 +85,7 @@ class RowCode {
       write_equal(same);
       if (is_whole) return true;
     }
-    write_next(differs);
+    write_next(next_differs);
     return true;
   }
 
@@ -99,7 +99,7 @@ class RowCode {
 
  private:
   // Whether the next voxel differs from the previous one. Undefined while reading.
-  bool differs() const { return ((row_[word_] ^ previous_voxels_) >> bit_ & 1) != 0; }
+  bool differs() const { return ((row_[word_] ^ previous_voxel_word_) >> bit_ & 1) != 0; }
 
   // Returns one bit per neighbour that differs from the previous voxel.
   uint32_t differing_neighbours() const {
@@ -108,32 +108,33 @@ class RowCode {
     const uint32_t third = before_.third[word_] >> bit_ & 1;
     const uint32_t last = before_.last[word_] >> bit_ & 1;
     const uint32_t differing =
-        (nearest | next << 3 | third << 6 | last << 7) ^ (previous_voxels_ & 0xFF);
+        (nearest | next << 3 | third << 6 | last << 7) ^ (previous_voxel_word_ & 0xFF);
     if (before_.first == nullptr) return differing;
-    return differing | ((before_.first[word_] ^ previous_voxels_) >> bit_ & 1) << 8;
+    return differing | ((before_.first[word_] ^ previous_voxel_word_) >> bit_ & 1) << 8;
   }
 
   // Returns the number of voxels from here on whose neighbours, except in the first surface, all
   // equal the previous voxel. Limit: the next voxel is one of them.
   uint32_t level_voxels() {
     DISCMC_LIMIT(differing_neighbours() % context::voxels == 0);
-    // If a run has ended early, its level continues and is not computed again.
-    if (left_ <= level_end_) level_end_ = left_ - level_voxels_ahead();
+    // If a run has ended early, the rest of its level is not computed again.
+    if (left_ <= level_end_) level_end_ = left_ - computed_level_voxels();
     return left_ - level_end_;
   }
-  uint32_t level_voxels_ahead() const {
+  uint32_t computed_level_voxels() const {
     return voxels_before(left_, [this](uint32_t word) {
-      const uint32_t beside =
-          (before_.nearest[word] ^ previous_voxels_) | (before_.next[word] ^ previous_voxels_);
-      const uint32_t below =
-          (before_.third[word] ^ previous_voxels_) | (before_.last[word] ^ previous_voxels_);
+      const uint32_t beside = (before_.nearest[word] ^ previous_voxel_word_) |
+                              (before_.next[word] ^ previous_voxel_word_);
+      const uint32_t below = (before_.third[word] ^ previous_voxel_word_) |
+                             (before_.last[word] ^ previous_voxel_word_);
       // Only the neighbour at x + 1 is new; the previous voxel shares the others.
       return beside >> 1 | below;
     });
   }
   // Returns the number of voxels from here on that equal the previous one, at most `limit`.
   uint32_t same_voxels(uint32_t limit) const {
-    return voxels_before(limit, [this](uint32_t word) { return row_[word] ^ previous_voxels_; });
+    return voxels_before(limit,
+                         [this](uint32_t word) { return row_[word] ^ previous_voxel_word_; });
   }
   // Returns the number of voxels from here on before the first whose bit is set, at most `limit`.
   template <class Bits>
@@ -164,16 +165,16 @@ class RowCode {
       const uint32_t room = detail::trace::columns_per_word + 1 - bit_;
       const uint32_t here = voxels < room ? voxels : room;
       const uint32_t next = bit_ + here;
-      row_[word_] |= previous_voxels_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
+      row_[word_] |= previous_voxel_word_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
       go_to(next);
       voxels -= here;
     }
   }
   // Writes the next voxel, which differs or not.
   DISCMC_ALWAYS_INLINE void write_next(bool differs) {
-    if (differs) previous_voxels_ = ~previous_voxels_;
+    if (differs) previous_voxel_word_ = ~previous_voxel_word_;
     --left_;
-    row_[word_] |= previous_voxels_ & uint32_t{1} << bit_;
+    row_[word_] |= previous_voxel_word_ & uint32_t{1} << bit_;
     go_to(bit_ + 1);
   }
   // Limit: next is in the word, or the bit behind its own columns.
@@ -187,9 +188,9 @@ class RowCode {
   RowsBefore before_{};
   uint32_t left_ = 0;
   uint32_t word_ = 0;
-  uint32_t bit_ = 0;              // of the next voxel
-  uint32_t previous_voxels_ = 0;  // a word of voxels that equal the previous one
-  uint32_t level_end_ = 0;        // voxels left after the last computed level
+  uint32_t bit_ = 0;                  // of the next voxel
+  uint32_t previous_voxel_word_ = 0;  // a word of voxels that equal the previous one
+  uint32_t level_end_ = 0;            // voxels left after the last computed level
 };
 
 }  // namespace discmc::detail::slices

@@ -57,17 +57,17 @@ constexpr uint32_t cut_turn = 0;  ///< 2, by level
 constexpr uint32_t first_direction = cut_turn + 2;
 constexpr uint32_t turn = first_direction + 1;  ///< of two; across an axis by parity
 // The last context of a block.
-constexpr uint32_t corners(uint32_t link_class) {
-  return by_direction + (4 + 2 * link_class) * (turn + (link_class == 2 ? 2 * 2 : 2));
+constexpr uint32_t corners(uint32_t incidence_class) {
+  return by_direction + (4 + 2 * incidence_class) * (turn + (incidence_class == 2 ? 2 * 2 : 2));
 }
-constexpr uint32_t of_corners(uint32_t link_class) {
-  return 1 + (link_class + 1) * (link_class + 1) * (link_class + 1);
+constexpr uint32_t of_corners(uint32_t incidence_class) {
+  return 1 + (incidence_class + 1) * (incidence_class + 1) * (incidence_class + 1);
 }
 
 /// Returns the block of a class, or the end for the class after the last.
-constexpr uint32_t of_class(uint32_t link_class) {
+constexpr uint32_t of_class(uint32_t incidence_class) {
   uint32_t block = of_diagonals;
-  for (uint32_t i = 0; i < link_class; ++i) block += corners(i) + of_corners(i);
+  for (uint32_t i = 0; i < incidence_class; ++i) block += corners(i) + of_corners(i);
   return block;
 }
 constexpr uint32_t end = of_class(3);

@@ -67,12 +67,12 @@ constexpr IncidenceOnAxis on_axis(Incidence incidence, uint32_t axis) {
   if (axis == 1) return {y, x + 3 * z};
   return {z, xy};
 }
-constexpr Incidence incidence_of(const IncidenceOnAxis& seen, uint32_t axis) {
-  const uint32_t high = seen.heading / 3;
-  const uint32_t low = seen.heading % 3;
-  if (axis == 0) return static_cast<Incidence>(seen.along + 3 * low + 9 * high);
-  if (axis == 1) return static_cast<Incidence>(low + 3 * seen.along + 9 * high);
-  return static_cast<Incidence>(low + 3 * high + 9 * seen.along);
+constexpr Incidence incidence_of(const IncidenceOnAxis& incidence, uint32_t axis) {
+  const uint32_t high = incidence.heading / 3;
+  const uint32_t low = incidence.heading % 3;
+  if (axis == 0) return static_cast<Incidence>(incidence.along + 3 * low + 9 * high);
+  if (axis == 1) return static_cast<Incidence>(low + 3 * incidence.along + 9 * high);
+  return static_cast<Incidence>(low + 3 * high + 9 * incidence.along);
 }
 
 /// Returns the class of an incidence: 0 diagonal, 1 corner, 2 along an axis.
@@ -89,8 +89,8 @@ inline constexpr PlaneStep plane_steps[] = {
     {1, 0}, {0, 1}, {-1, 0}, {0, -1},                                        // diagonal
     {1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1},                      // corner
     {2, 0}, {1, 1}, {0, 2},  {-1, 1}, {-2, 0}, {-1, -1}, {0, -2}, {1, -1}};  // axis
-constexpr const PlaneStep* plane_steps_of(uint32_t link_class) {
-  return &plane_steps[size_t{link_class} * (link_class + 3)];
+constexpr const PlaneStep* plane_steps_of(uint32_t incidence_class) {
+  return &plane_steps[size_t{incidence_class} * (incidence_class + 3)];
 }
 
 /// Returns the turn to the left from one direction to another.
@@ -144,9 +144,9 @@ class RecordModel {
   // ---- a ring ----
 
   /// Codes three or four corners as one symbol; 0 if the ring is coded run by run. Otherwise the
-  /// symbol is 1 + d0 + d1 n + d2 n^2, with n = link_class() + 1 and di = turn i less 1.
+  /// symbol is 1 + d0 + d1 n + d2 n^2, with n = incidence_class() + 1 and di = turn i less 1.
   uint32_t corners(uint32_t corners) {
-    return class_symbol(contexts::corners(link_class_), corners);
+    return class_symbol(contexts::corners(incidence_class_), corners);
   }
   /// Codes the distance of the first direction from the first direction that leads back.
   uint32_t ring_direction(uint32_t from);
@@ -166,7 +166,7 @@ class RecordModel {
   }
   /// Codes the length of a run along a direction, or the rest of its length.
   uint32_t length(uint32_t context, Direction direction, uint32_t length) {
-    const uint32_t kind = link_class_ == 2 && direction % 2 == 0 ? 3 : link_class_;
+    const uint32_t kind = incidence_class_ == 2 && direction % 2 == 0 ? 3 : incidence_class_;
     return number(context + contexts::of_number * kind, length);
   }
   /// Codes a run after another one. A decoded run is empty if it is too long.
@@ -179,8 +179,8 @@ class RecordModel {
   /// Codes the header of a part, and sets it in the record. Returns whether the part begins a ring.
   bool part(Record& record, bool begins_ring);
 
-  uint32_t link_class() const { return link_class_; }
-  uint32_t directions() const { return 4U + 2U * link_class_; }
+  uint32_t incidence_class() const { return incidence_class_; }
+  uint32_t directions() const { return 4U + 2U * incidence_class_; }
   bool is_backwards() const { return chain_ == backwards; }
 
  private:
@@ -217,7 +217,7 @@ class RecordModel {
 
   Coder coder_;
   Incidence incidence_ = 0;
-  uint8_t link_class_ = 0;
+  uint8_t incidence_class_ = 0;
   uint16_t class_contexts_ = 0;
   // Whether this packet has had loose fragments, which makes more of them likely: 0 no, 1 before
   // the last record, 2 including it.
@@ -330,15 +330,19 @@ Incidence RecordModel<Coder>::incidence(Incidence incidence) {
   using contexts::other_heading;
   uint32_t code = other_heading;
   if (axis_ < 3) {
-    const IncidenceOnAxis to = on_axis(incidence, axis_);
+    const IncidenceOnAxis on_edge_axis = on_axis(incidence, axis_);
     uint32_t sign = 1;
     if (is_same_voxel_ && axis_before_ < 3) sign = on_axis(incidence_, axis_before_).along;
-    if (sign == 1) sign = 2 * raw_bits(1, to.along >> 1);
-    const auto seen = [sign](uint32_t heading) { return sign == 0 ? 8 - heading : heading; };
-    const uint32_t by = seen(on_axis(incidence_, axis_).heading);
-    code = symbol(contexts::headings + contexts::of_headings * by,
-                  to.along == sign ? seen(to.heading) : other_heading);
-    if constexpr (!Coder::writes) incidence = incidence_of({sign, seen(code)}, axis_);
+    if (sign == 1) sign = 2 * raw_bits(1, on_edge_axis.along >> 1);
+    const auto mirrored_if_negative = [sign](uint32_t heading) {
+      return sign == 0 ? 8 - heading : heading;
+    };
+    const uint32_t predicted_heading = mirrored_if_negative(on_axis(incidence_, axis_).heading);
+    code = symbol(
+        contexts::headings + contexts::of_headings * predicted_heading,
+        on_edge_axis.along == sign ? mirrored_if_negative(on_edge_axis.heading) : other_heading);
+    if constexpr (!Coder::writes)
+      incidence = incidence_of({sign, mirrored_if_negative(code)}, axis_);
   }
   if (code == other_heading) incidence = static_cast<Incidence>(raw_bits(5, incidence));
   set_incidence(incidence);
@@ -350,10 +354,10 @@ void RecordModel<Coder>::set_incidence(Incidence incidence) {
   if constexpr (!Coder::writes)
     if (!is_incidence(incidence)) return;
   incidence_ = incidence;
-  link_class_ = static_cast<uint8_t>(class_of(incidence));
-  class_contexts_ = static_cast<uint16_t>(link_class_ == 0   ? contexts::of_class(0)
-                                          : link_class_ == 1 ? contexts::of_class(1)
-                                                             : contexts::of_class(2));
+  incidence_class_ = static_cast<uint8_t>(class_of(incidence));
+  class_contexts_ = static_cast<uint16_t>(incidence_class_ == 0   ? contexts::of_class(0)
+                                          : incidence_class_ == 1 ? contexts::of_class(1)
+                                                                  : contexts::of_class(2));
 }
 
 template <class Coder>
@@ -372,7 +376,7 @@ Direction RecordModel<Coder>::turn_by(uint32_t turn) {
 // Codes the turn, and whether the run is longer than one link, as one symbol.
 template <class Coder>
 Run RecordModel<Coder>::run(Run run) {
-  const uint32_t parity = link_class_ == 2 ? direction_ & 1 : 0;
+  const uint32_t parity = incidence_class_ == 2 ? direction_ & 1 : 0;
   const uint32_t code = direction_symbol(
       contexts::turn + 2 * parity, 2 * turn_to(run.direction()) + (run.length() > 1 ? 1U : 0U));
   const Direction direction = turn_by(code >> 1);

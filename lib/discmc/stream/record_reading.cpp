@@ -48,7 +48,7 @@ PlaneVector vector_back(const Record& record, uint32_t first, const PlaneStep* s
 // others.
 bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   const uint32_t directions = model.directions();
-  const uint32_t base = model.link_class() + 1;
+  const uint32_t base = model.incidence_class() + 1;
   const uint32_t turns[] = {1 + code % base, 1 + code / base % base, 1 + code / base / base};
   const uint32_t sum = turns[0] + turns[1] + turns[2];
   const uint32_t coded_lengths = sum == directions ? 1 : 2;  // lengths of three runs, or of four
@@ -74,7 +74,7 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
     if (lengths[i] - 1 >= max_compact_length) return false;
     record.add_run(Run::straight(direction[i], lengths[i]));
   }
-  const PlaneStep* const steps = plane_steps_of(model.link_class());
+  const PlaneStep* const steps = plane_steps_of(model.incidence_class());
   const Closure closure =
       close_ring(steps[direction[coded_lengths]], steps[direction[coded_lengths + 1]],
                  vector_back(record, begin, steps));
@@ -89,7 +89,7 @@ bool read_long_ring(ReadingModel& model, Record& record) {
   const Direction first = read_ring_direction(model, record.incidence);
   if (first == no_direction || !read_runs(model, record, first, max_compact_length)) return false;
   if (!record.has_room(1)) return false;
-  const PlaneStep* const steps = plane_steps_of(model.link_class());
+  const PlaneStep* const steps = plane_steps_of(model.incidence_class());
   const Run last = run_along(steps, model.directions(), vector_back(record, begin, steps));
   record.add_run(last);
   return !last.is_empty();

@@ -35,14 +35,14 @@ DISCMC_NOINLINE inline uint32_t closed_runs(const Record& record, uint32_t first
 DISCMC_NOINLINE inline uint32_t corners_of(const uint32_t* runs, uint32_t count,
                                            uint32_t directions) {
   if (count - 3 > 1) return 0;
-  const uint32_t max_turns = directions / 2 - 1;
+  const uint32_t base = directions / 2 - 1;
   uint32_t code = 0, sum = 0;
   for (uint32_t i = 3; i > 0; --i) {
     const uint32_t next_run = runs[i < count ? i : 0];
     const uint32_t turn =
         turn_between(directions, direction_in(runs[i - 1]), direction_in(next_run)) - 1;
-    if (turn >= max_turns) return 0;
-    code = code * max_turns + turn;
+    if (turn >= base) return 0;
+    code = code * base + turn;
     sum += turn + 1;
   }
   // The coded turns of four corners are less than a full turn.

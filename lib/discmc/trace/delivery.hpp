@@ -9,8 +9,8 @@
 // begin. A hole that cannot wait is sent as a fragment: too many holes wait, too few slots are
 // spare, or the extractor is lean.
 //
-// deliver() offers one event to the sink. When the sink has accepted it, select_next() selects the
-// next one. So a busy sink may suspend the delivery before any event.
+// deliver() offers events until the sink is busy. When the sink has accepted an event,
+// select_next() selects the next one. So a busy sink may suspend the delivery before any event.
 #ifndef DISCMC_TRACE_DELIVERY_HPP
 #define DISCMC_TRACE_DELIVERY_HPP
 

@@ -79,7 +79,7 @@ inline Place moved(Place from, Link link) {
   return from + static_cast<uint32_t>(link_steps.place_step[link]);
 }
 
-/// A chain that leaves the pool: a closed ring, or a loose fragment.
+/// A chain to deliver; its runs stay in the pool until then. A closed ring, or a loose fragment.
 template <class Index>
 struct Outgoing {
   enum class Kind : uint8_t { none, ring, fragment };
@@ -468,7 +468,7 @@ void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bo
 
 // Ends of links within the slice are lost last, because they leave their queue soon. Other ends are
 // lost earlier if their chain has already lost an end, so that more regions stay whole. They are
-// also lost earlier behind a lost end, where they need no slot.
+// also lost earlier behind a lost end: a further lost end there only raises a count.
 template <class Index, class Normal>
 uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   if (queue < first_rising_queue) return slots_per_pass;

@@ -220,9 +220,9 @@ constexpr Vertex lowest_on_axis(int axis) {
 // The same link begins at both of its vertices: the earlier one names it.
 constexpr uint8_t queue_of_face_link(const SectorTable& table, const Vertex& begin, Link link) {
   for (int axis = 0; axis < 3; ++axis)
-    for (const auto& of_quadrant : table.axis[axis].way)
+    for (const auto& ways_of_quadrant : table.axis[axis].way)
       for (int i = straight_way; i < ways; ++i) {
-        const Way& way = of_quadrant[i];
+        const Way& way = ways_of_quadrant[i];
         if (lowest_on_axis(axis) == begin && way.link() == link) return way.queue_out();
       }
   return queue_count;

@@ -10,8 +10,8 @@ constexpr SectorTable derived = derive::sector_table();
 constexpr bool are_all_queues_used() {
   bool is_used[queue_count] = {};
   for (const AxisTable& axis : derived.axis)
-    for (const auto& of_quadrant : axis.way)
-      for (const Way& way : of_quadrant) is_used[way.queue_out()] = true;
+    for (const auto& ways_of_quadrant : axis.way)
+      for (const Way& way : ways_of_quadrant) is_used[way.queue_out()] = true;
   for (const bool is_queue_used : is_used)
     if (!is_queue_used) return false;
   return true;

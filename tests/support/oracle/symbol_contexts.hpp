@@ -31,9 +31,9 @@ inline std::vector<SymbolContexts> symbol_contexts() {
       {"longer", of::longer, 4, of::of_number},
       {"is_last", of::is_last, 6, 2},
       {"plain", of::plain, 1, of::of_number}};
-  for (uint32_t link_class = 0; link_class < 3; ++link_class) {
-    const uint32_t first = of::of_class(link_class);
-    const uint32_t directions = 4 + 2 * link_class;
+  for (uint32_t incidence_class = 0; incidence_class < 3; ++incidence_class) {
+    const uint32_t first = of::of_class(incidence_class);
+    const uint32_t directions = 4 + 2 * incidence_class;
     const auto by_direction = [&](uint32_t context) {
       return first + of::by_direction + directions * context;
     };
@@ -41,17 +41,18 @@ inline std::vector<SymbolContexts> symbol_contexts() {
     all.push_back({"two_lengths", first + of::two_lengths, 1, 16});
     all.push_back({"cut_turn", by_direction(of::cut_turn), 2, directions});
     all.push_back({"first_direction", by_direction(of::first_direction), 1, directions});
-    all.push_back({"turn", by_direction(of::turn), link_class == 2 ? 2U : 1U, 2 * directions});
-    all.push_back({"corners", first + of::corners(link_class), 1, of::of_corners(link_class)});
+    all.push_back({"turn", by_direction(of::turn), incidence_class == 2 ? 2U : 1U, 2 * directions});
+    all.push_back(
+        {"corners", first + of::corners(incidence_class), 1, of::of_corners(incidence_class)});
   }
   return all;
 }
 
 /// Whether a ring with these corners exists: three or four corners, each less than half a turn,
 /// make a full turn. Symbol 0 is any other ring.
-inline bool has_corners(uint32_t link_class, uint32_t symbol) {
+inline bool has_corners(uint32_t incidence_class, uint32_t symbol) {
   if (symbol == 0) return true;
-  const uint32_t directions = 4 + 2 * link_class;
+  const uint32_t directions = 4 + 2 * incidence_class;
   const uint32_t turns = directions / 2 - 1;
   const uint32_t code = symbol - 1;
   const uint32_t sum = 3 + code % turns + code / turns % turns + code / turns / turns;

@@ -48,7 +48,7 @@ class Waiting {
   }
   std::multiset<uint32_t> rings_beside_notes(bool is_left) {
     std::multiset<uint32_t> found;
-    rings_.visit_beside_notes(held_, is_left, [&](uint32_t ring) { found.insert(ring); });
+    rings_.take_beside_notes(held_, is_left, [&](uint32_t ring) { found.insert(ring); });
     return found;
   }
   /// Removes this many outer rings.
