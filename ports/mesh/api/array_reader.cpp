@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace discmc::meshing {

@@ -115,15 +115,16 @@ std::optional<EdgePlacing::PlacedVertex> EdgePlacing::placed(std::uint32_t a,
     for (const std::size_t i : {0U, 3U, 5U}) both[i] += towards_middle * area / 3;
     const Symmetric inverted = inverse(both);
     x = product(inverted, plus(product(of_a, to_a), product(of_b, to_b)));
-    const Point way = product(inverted, normal);
-    const double slope = dot(normal, way);
+    const Point direction = product(inverted, normal);
+    const double slope = dot(normal, direction);
     if (slope > 0 && dot(normal, normal) > min_area * min_area * area * area)
-      x = plus(x, way, (height - dot(normal, x)) / slope);
+      x = plus(x, direction, (height - dot(normal, x)) / slope);
     if (!(dot(x, x) <= max_move * max_move * squared_length)) return std::nullopt;
   }
-  const Point to = rounded(plus(middle, x));
-  return PlacedVertex{to, error(difference(to, middle)) + shape * squared_length * squared_length +
-                              in_plane * squared_length * area};
+  const Point place = rounded(plus(middle, x));
+  return PlacedVertex{place, error(difference(place, middle)) +
+                                 shape * squared_length * squared_length +
+                                 in_plane * squared_length * area};
 }
 
 }  // namespace discmc::meshing

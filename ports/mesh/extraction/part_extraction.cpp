@@ -58,7 +58,8 @@ class PartSurface {
     return SinkResult::accepted;
   }
 
-  // Sends the pieces to join to the joiner, which has the request's sink.
+  // Appends polygons to the request's builder and packets to its encoder. Sends the pieces to join
+  // to the joiner, which has the request's sink.
   void deliver_to(const SurfaceRequest& request, GrowingJoiner& joiner) {
     if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.replay(make_sink(joiner));

@@ -53,7 +53,8 @@ struct ChainCapacities {
   /// of two. So the first seats of queues do not share sets of a cache.
   uint32_t seats = 4 * Edges::max_edges + 16;
   uint32_t seats_at_seam = 2 * max_across + 16;
-  /// find_ring() lists at most this many corners of a ring.
+  /// find_ring() lists no corners if its walk did not reach the ring's join within this many; up to
+  /// one more is listed.
   uint32_t corners = max_corners;
   uint32_t short_walk = 64;
 
@@ -110,8 +111,9 @@ class Chains {
 
   /// Finds the next closed ring, in the order of closing. Returns false if there is none.
   bool find_ring(Slots& slots);
-  /// Returns the corners of the found ring, in order from any corner; none if the ring has more
-  /// than max_corners. The array has room for as many corners again.
+  /// Returns the corners of the found ring, in order from any corner. There are none if the walk did
+  /// not reach its join within `corners` corners; up to one more is listed. The array has room for
+  /// max_corners more.
   uint64_t* corners() { return corner_; }
   uint32_t corner_count() const { return corner_count_; }
   /// Makes the found ring outgoing, as slots.

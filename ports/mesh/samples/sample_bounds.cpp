@@ -19,18 +19,18 @@ bool is_finite(Sample sample) {
 
 template <class Sample>
 struct Bounds {
-  Sample least = std::numeric_limits<Sample>::max();
-  Sample greatest = std::numeric_limits<Sample>::lowest();
+  Sample minimum = std::numeric_limits<Sample>::max();
+  Sample maximum = std::numeric_limits<Sample>::lowest();
 };
 
 // Has no branch, so that compilers vectorise it.
 template <class Sample, class Condition>
-Bounds<Sample> bounds_of(const Sample* samples, std::size_t count, Condition is_taken) {
+Bounds<Sample> bounds_of(const Sample* samples, std::size_t count, Condition is_included) {
   Bounds<Sample> bounds;
   for (std::size_t i = 0; i < count; ++i) {
     const Sample sample = samples[i];
-    bounds.least = is_taken(sample) && sample < bounds.least ? sample : bounds.least;
-    bounds.greatest = is_taken(sample) && sample > bounds.greatest ? sample : bounds.greatest;
+    bounds.minimum = is_included(sample) && sample < bounds.minimum ? sample : bounds.minimum;
+    bounds.maximum = is_included(sample) && sample > bounds.maximum ? sample : bounds.maximum;
   }
   return bounds;
 }
@@ -44,15 +44,15 @@ void SampleBounds::include(SampleType type, const void* samples, std::size_t cou
     using Sample = decltype(type_of);
     const auto* const typed = static_cast<const Sample*>(samples);
     auto bounds = bounds_of(typed, count, [](Sample) { return true; });
-    const bool has_low = !is_finite(bounds.least), has_high = !is_finite(bounds.greatest);
+    const bool has_low = !is_finite(bounds.minimum), has_high = !is_finite(bounds.maximum);
     has_minus_infinity = has_minus_infinity || has_low;
     has_infinity = has_infinity || has_high;
     if (has_low || has_high)
       bounds = bounds_of(typed, count, [](Sample sample) { return is_finite(sample); });
-    if (bounds.least > bounds.greatest) return;
+    if (bounds.minimum > bounds.maximum) return;
     const SampleBounds before = *this;
-    least = std::min(least, static_cast<double>(bounds.least));
-    greatest = std::max(greatest, static_cast<double>(bounds.greatest));
+    least = std::min(least, static_cast<double>(bounds.minimum));
+    greatest = std::max(greatest, static_cast<double>(bounds.maximum));
     const auto is_between = [this](double sample) { return least < sample && sample < greatest; };
     has_between = has_between || is_between(before.least) || is_between(before.greatest) ||
                   std::any_of(typed, typed + count, [&](Sample sample) {

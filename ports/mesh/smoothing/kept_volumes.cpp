@@ -27,7 +27,7 @@ constexpr unsigned max_rounds = 25;
 // A body or a cavity: one component of a surface.
 struct Piece {
   struct Edge {
-    Id crossing;
+    Id crossing_id;
     float sign;               // 1 if its edge begins on, -1 if it ends on
     std::uint32_t neighbour;  // the piece on the other side of the edge, or no_piece
     Ends ends;
@@ -76,12 +76,12 @@ class VolumeKeeper {
     for_each_surface([this](std::size_t i) { find_edges(i); });
     for_each_piece_by_surface([this](std::size_t i) {
       for (Piece::Edge& edge : pieces_[i].edges)
-        edge.ends = surfaces_[pieces_[i].surface].crossings->ends(edge.crossing);
+        edge.ends = surfaces_[pieces_[i].surface].crossings->ends(edge.crossing_id);
       move_crossings(pieces_[i]);
     });
   }
 
-  // A mesh that leaves out crossings leaves out others after they have moved.
+  // Moved crossings change which ones the mesh leaves out, so it is rebuilt up to three times.
   void keep() {
     constexpr unsigned max_meshes = 3;
     for (unsigned meshes = 0; meshes < max_meshes; ++meshes) {
@@ -95,12 +95,14 @@ class VolumeKeeper {
  private:
   // The pieces of a surface's polygons and crossings, counted from its first one.
   struct SurfacePieces {
-    std::uint32_t piece_of(Id id) const { return first_piece + of_crossing[id.axis][id.number]; }
+    std::uint32_t piece_of(Id id) const {
+      return first_piece + piece_by_crossing[id.axis][id.number];
+    }
 
-    std::vector<double> volumes_mm3;                        // of the voxels of each piece
-    std::uint32_t first_piece = 0;                          // index in pieces_
-    std::vector<std::uint32_t> of_polygon;                  // piece of each polygon
-    std::array<std::vector<std::uint32_t>, 3> of_crossing;  // piece of each crossing, by axis
+    std::vector<double> volumes_mm3;                              // of the voxels of each piece
+    std::uint32_t first_piece = 0;                                // index in pieces_
+    std::vector<std::uint32_t> piece_by_polygon;                  // index from the first piece
+    std::array<std::vector<std::uint32_t>, 3> piece_by_crossing;  // likewise, by axis
   };
 
   // Calls call(number) for each surface, in parallel.
@@ -132,18 +134,18 @@ class VolumeKeeper {
   void find_pieces(std::size_t number) {
     const Surface& surface = *surfaces_[number].surface;
     SurfacePieces& surface_pieces = pieces_by_surface_[number];
-    surface_pieces.of_polygon.resize(surface.polygons.size());
+    surface_pieces.piece_by_polygon.resize(surface.polygons.size());
     for (std::size_t axis = 0; axis < 3; ++axis)
-      surface_pieces.of_crossing[axis].resize(surfaces_[number].crossings->count(axis));
+      surface_pieces.piece_by_crossing[axis].resize(surfaces_[number].crossings->count(axis));
     const Point& spacing = surface.spacing_mm;
     for (const Component& component : components(surface)) {
       const auto piece_index = static_cast<std::uint32_t>(surface_pieces.volumes_mm3.size());
       std::int64_t voxels = 0;
       for (const std::uint32_t polygon : component.polygons) {
         voxels += enclosed_voxels(surface.polygons[polygon]);
-        surface_pieces.of_polygon[polygon] = piece_index;
+        surface_pieces.piece_by_polygon[polygon] = piece_index;
         for_each_crossing_of(number, polygon, [&](Id id, const Vertex&) {
-          surface_pieces.of_crossing[id.axis][id.number] = piece_index;
+          surface_pieces.piece_by_crossing[id.axis][id.number] = piece_index;
         });
       }
       surface_pieces.volumes_mm3.push_back(static_cast<double>(voxels) *
@@ -155,7 +157,7 @@ class VolumeKeeper {
   void find_edges(std::size_t number) {
     Crossings& crossings = *surfaces_[number].crossings;
     const SurfacePieces& surface_pieces = pieces_by_surface_[number];
-    for (std::uint32_t polygon = 0; polygon < surface_pieces.of_polygon.size(); ++polygon)
+    for (std::uint32_t polygon = 0; polygon < surface_pieces.piece_by_polygon.size(); ++polygon)
       for_each_crossing_of(number, polygon, [&](Id id, const Vertex& middle) {
         std::uint32_t neighbour = no_piece;
         const std::size_t other = surface_beyond(number, middle, id);
@@ -165,8 +167,8 @@ class VolumeKeeper {
           if (number < other)
             share(crossings.ends(id), surfaces_[other].crossings->ends(*other_id));
         }
-        pieces_[surface_pieces.first_piece + surface_pieces.of_polygon[polygon]].edges.push_back(
-            {id, crossings.falls(id) ? 1.0F : -1.0F, neighbour, {}});
+        pieces_[surface_pieces.first_piece + surface_pieces.piece_by_polygon[polygon]]
+            .edges.push_back({id, crossings.falls(id) ? 1.0F : -1.0F, neighbour, {}});
       });
   }
 
@@ -182,7 +184,7 @@ class VolumeKeeper {
 
   void move_crossings(const Piece& piece) {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
-    for (const Piece::Edge& edge : piece.edges) crossings.move(edge.crossing, at(piece, edge));
+    for (const Piece::Edge& edge : piece.edges) crossings.move(edge.crossing_id, at(piece, edge));
   }
 
   // Returns a crossing, like Crossings::at(), with the current shifts.
@@ -212,7 +214,7 @@ class VolumeKeeper {
     };
     std::vector<LocalCorner> local_corners(mesh.lattice.size());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-      const std::uint32_t piece_index = surface_pieces.of_polygon[mesh.polygons[face]];
+      const std::uint32_t piece_index = surface_pieces.piece_by_polygon[mesh.polygons[face]];
       Piece& piece = pieces[piece_index];
       Triangle triangle;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -236,7 +238,7 @@ class VolumeKeeper {
     const auto edge_at = [&](Id id) -> auto& {
       return edges[id.axis][id.number];
     };
-    for (std::uint32_t i = 0; i < piece.edges.size(); ++i) edge_at(piece.edges[i].crossing) = i;
+    for (std::uint32_t i = 0; i < piece.edges.size(); ++i) edge_at(piece.edges[i].crossing_id) = i;
     piece.centroid_crossings.clear();
     for (Piece::Corner& corner : piece.corners)
       surfaces_[piece.surface].crossings->for_each_near(corner.lattice, [&](Id id) {
@@ -248,7 +250,7 @@ class VolumeKeeper {
         else
           piece.centroid_crossings.push_back(edge);
       });
-    for (const Piece::Edge& edge : piece.edges) edge_at(edge.crossing) = no_edge;
+    for (const Piece::Edge& edge : piece.edges) edge_at(edge.crossing_id) = no_edge;
   }
 
   // Returns the volume of the piece at its current shift.
@@ -256,14 +258,14 @@ class VolumeKeeper {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
     for (const Piece::Edge& edge : piece.centroid_crossings)
-      crossings.move(edge.crossing, at(piece, edge));
+      crossings.move(edge.crossing_id, at(piece, edge));
     std::vector<Point> from_apex;
     from_apex.reserve(piece.corners.size());
     for (const auto& [lattice, is_crossing, edge] : piece.corners)
-      from_apex.push_back(
-          in_mm(is_crossing ? Crossings::interpolated(lattice, edge.crossing.axis, at(piece, edge))
-                            : crossings.interpolated(lattice),
-                spacing));
+      from_apex.push_back(in_mm(
+          is_crossing ? Crossings::interpolated(lattice, edge.crossing_id.axis, at(piece, edge))
+                      : crossings.interpolated(lattice),
+          spacing));
     const Point apex = from_apex[0];  // near, to keep rounding small
     for (Point& corner : from_apex) corner = difference(corner, apex);
     double six_volumes = 0;
@@ -439,7 +441,7 @@ class VolumeKeeper {
     const float at_off = edge.sign > 0 ? ends.end : ends.begin;
     if (at_on + shift < min_distance || at_off + shift > -min_distance) return 0;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
-    const double along = spacing[edge.crossing.axis];
+    const double along = spacing[edge.crossing_id.axis];
     return std::fabs(spacing[0] * spacing[1] * spacing[2]) / (along * along) *
            std::fabs(static_cast<double>(ends.begin - ends.end)) / (has_neighbour ? 4 : 1);
   }

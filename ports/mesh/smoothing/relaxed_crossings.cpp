@@ -48,7 +48,7 @@ class Relaxer {
     relaxed_.clear();
     for (const Node& node : nodes_) relaxed_.push_back(relaxed(node));
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      crossings_.move(nodes_[i].crossing, relaxed_[i]);
+      crossings_.move(nodes_[i].crossing_id, relaxed_[i]);
   }
 
  private:
@@ -67,7 +67,7 @@ class Relaxer {
   };
   // A crossing with two neighbours in each of two planes.
   struct Node {
-    Id crossing;
+    Id crossing_id;
     float low, high;  // limits of the crossing. Units: edges
     std::array<std::array<Neighbour, 2>, 2> beside;
   };
@@ -78,7 +78,7 @@ class Relaxer {
   };
 
   static std::uint8_t axis_of_plane(const Node& node, std::size_t plane) {
-    return static_cast<std::uint8_t>((node.crossing.axis + 1 + plane) % 3);
+    return static_cast<std::uint8_t>((node.crossing_id.axis + 1 + plane) % 3);
   }
 
   void add_node(Id id, const Vertex& middle) {
@@ -97,10 +97,10 @@ class Relaxer {
   Neighbour neighbour(Id id, const Vertex& middle, const Vertex& step) const {
     const Vertex half = step_along(id.axis);
     const bool falls = crossings_.falls(id);
-    const auto at_on = crossings_.find((falls ? middle - half : middle + half) + step);
-    if (at_on) return {falls ? Way::at_begin : Way::at_end, at_on->number};
-    const auto at_off = crossings_.find((falls ? middle + half : middle - half) + step);
-    if (at_off) return {falls ? Way::at_end : Way::at_begin, at_off->number};
+    const auto around_on = crossings_.find((falls ? middle - half : middle + half) + step);
+    if (around_on) return {falls ? Way::at_begin : Way::at_end, around_on->number};
+    const auto around_off = crossings_.find((falls ? middle + half : middle - half) + step);
+    if (around_off) return {falls ? Way::at_end : Way::at_begin, around_off->number};
     const auto beside = crossings_.find(middle + times(2, step));
     if (beside) return {Way::beside, beside->number};
     if (border_ == Border::open) return {Way::none, 0};
@@ -112,7 +112,7 @@ class Relaxer {
     const auto at = [&](std::uint8_t axis) {
       return static_cast<double>(crossings_.at({axis, neighbour.number})) / 2;
     };
-    if (neighbour.way == Way::beside) return {at(node.crossing.axis), 1};
+    if (neighbour.way == Way::beside) return {at(node.crossing_id.axis), 1};
     constexpr double middle = 0.5;
     if (neighbour.way == Way::begin_of_border) return {0, middle};
     if (neighbour.way == Way::end_of_border) return {1, middle};
@@ -127,11 +127,12 @@ class Relaxer {
     for (std::size_t plane = 0; plane < 2; ++plane) {
       const auto& beside = node.beside[plane];
       if (beside[0].way == Way::none || beside[1].way == Way::none) continue;
-      const Spot one = spot(node, plane, 0), other = spot(node, plane, 1);
-      sum += (one.along * other.across + other.along * one.across) / (one.across + other.across);
+      const Spot before = spot(node, plane, 0), after = spot(node, plane, 1);
+      sum += (before.along * after.across + after.along * before.across) /
+             (before.across + after.across);
       ++planes;
     }
-    if (planes == 0) return crossings_.at(node.crossing);
+    if (planes == 0) return crossings_.at(node.crossing_id);
     const double mean =
         mean_within(sum / planes, static_cast<double>(node.low), static_cast<double>(node.high));
     return static_cast<float>(std::clamp(2 * mean, Crossings::margin, 2 - Crossings::margin));

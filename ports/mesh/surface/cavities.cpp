@@ -13,7 +13,7 @@ namespace discmc::meshing {
 namespace {
 
 // A ray leaves a point of a component along x. A body lies in a cavity if the ray leaves cavities
-// more often than it enters them. The same holds for a cavity in a body.
+// more often than it entry_sign them. The same holds for a cavity in a body.
 //
 // All coordinates are doubled, and a ray lies slightly beyond its integers: more along x than along
 // y, and more along y than z. So the ray meets no vertex and no side.
@@ -37,7 +37,7 @@ struct Start {
 struct Meeting {
   std::size_t line;
   Doubled x;
-  int enters;
+  int entry_sign;
   std::size_t component;
 
   bool operator<(const Meeting& other) const {
@@ -157,7 +157,7 @@ void fill_cavities(const Surface& surface, std::vector<Component>& components) {
   std::vector<int> depth(components.size());  // cavities around each body
   rays_between(surface, components, false)
       .for_each_meeting(
-          [&](std::size_t body, const Meeting& meeting) { depth[body] += meeting.enters; });
+          [&](std::size_t body, const Meeting& meeting) { depth[body] += meeting.entry_sign; });
   std::size_t number = 0;
   components.erase(std::remove_if(components.begin(), components.end(),
                                   [&](const Component& component) {
@@ -171,7 +171,7 @@ std::vector<std::size_t> bodies_of(const Surface& surface,
   std::map<std::pair<std::size_t, std::size_t>, int> depth;  // of a cavity in a body
   rays_between(surface, components, true)
       .for_each_meeting([&](std::size_t cavity, const Meeting& meeting) {
-        depth[{cavity, meeting.component}] -= meeting.enters;
+        depth[{cavity, meeting.component}] -= meeting.entry_sign;
       });
   std::vector<std::size_t> bodies(components.size());
   std::iota(bodies.begin(), bodies.end(), std::size_t{0});
