@@ -24,9 +24,9 @@ auto kind_of(const DicomFrame& frame, bool merges_series) {
 // The kinds are in the order of their first frames.
 std::vector<Frames> by_kind(const Frames& frames, bool merges_series) {
   std::vector<Frames> groups;
-  std::map<decltype(kind_of(frames[0], false)), std::vector<std::size_t>> of_kind;
+  std::map<decltype(kind_of(frames[0], false)), std::vector<std::size_t>> places_by_kind;
   for (const DicomFrame& frame : frames) {
-    std::vector<std::size_t>& places = of_kind[kind_of(frame, merges_series)];
+    std::vector<std::size_t>& places = places_by_kind[kind_of(frame, merges_series)];
     const auto place = std::find_if(places.begin(), places.end(), [&](std::size_t each) {
       return frame.image->segments || have_one_direction(groups[each][0], frame);
     });
@@ -190,8 +190,8 @@ std::string name_of(const DicomFrame& frame) {
 std::vector<DicomStack> dicom_stacks(const std::vector<DicomFrame>& frames,
                                      const DicomSorting& sorting) {
   std::vector<DicomStack> stacks;
-  for (const Frames& of_kind : by_kind(frames, sorting.merges_series))
-    for (const Frames& alike : by_traits(of_kind, is_of_volume))
+  for (const Frames& frames_of_kind : by_kind(frames, sorting.merges_series))
+    for (const Frames& alike : by_traits(frames_of_kind, is_of_volume))
       for (const Frames& stack : by_stack(alike))
         for (SeparatedFrames& volume : volumes_of(stack, sorting.is_by_position))
           stacks.push_back({std::move(volume.frames), {}, std::move(volume.order)});

@@ -148,8 +148,8 @@ class StackBuilder {
   void add_pages(const std::filesystem::path& file, PictureFile& opened, const Hyperstack& stack,
                  std::uint64_t frame) {
     Headers headers(file, opened);
-    const Page any = pages_of(file, stack, 0, frame)[0];
-    const PictureHeader header = headers.header(stack.files[any.file], any.number);
+    const Page first_page = pages_of(file, stack, 0, frame)[0];
+    const PictureHeader header = headers.header(stack.files[first_page.file], first_page.number);
     require_possible(
         file, "a picture",
         std::uint64_t{header.width} * header.height * header.channels * sample_bytes(header.type));
@@ -158,10 +158,10 @@ class StackBuilder {
     const auto first = static_cast<std::uint32_t>(stack_.files.size());
     stack_.files.insert(stack_.files.end(), stack.files.begin(), stack.files.end());
     for (Page page : pages_of(file, stack, options_.channel.value_or(0) / header.channels, frame)) {
-      const PictureHeader of_page = headers.header(stack.files[page.file], page.number);
+      const PictureHeader page_header = headers.header(stack.files[page.file], page.number);
       page.file += first;
       stack_.pages.push_back(page);
-      Alike(stack_, options_).require(of_page, page);
+      Alike(stack_, options_).require(page_header, page);
     }
   }
 

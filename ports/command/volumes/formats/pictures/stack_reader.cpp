@@ -23,15 +23,16 @@ void require_one_kind(const std::filesystem::path& source, const Files& files) {
   if (kinds.size() < 2) return;
   std::string list;
   const Files* largest_kind = nullptr;
-  for (const auto& [kind, of_kind] : kinds) {
-    list += (list.empty() ? "" : " and ") + std::to_string(of_kind.size()) + ' ' +
+  for (const auto& [kind, files_of_kind] : kinds) {
+    list += (list.empty() ? "" : " and ") + std::to_string(files_of_kind.size()) + ' ' +
             std::string(name(kind));
-    if (largest_kind == nullptr || of_kind.size() > largest_kind->size()) largest_kind = &of_kind;
+    if (largest_kind == nullptr || files_of_kind.size() > largest_kind->size())
+      largest_kind = &files_of_kind;
   }
-  const std::filesystem::path any = "*" + largest_kind->front().extension().string();
+  const std::filesystem::path pattern = "*" + largest_kind->front().extension().string();
   fail(source, list + " files are not one volume",
        "give a pattern of one kind, such as '" +
-           (largest_kind->front().parent_path() / any).string() + "'");
+           (largest_kind->front().parent_path() / pattern).string() + "'");
 }
 
 // Omits SkyScan's overviews, which are beside the slices.
