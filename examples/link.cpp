@@ -35,9 +35,10 @@ class Surface {
       bytes += decoded.bytes;
       count -= decoded.bytes;
       if (decoded.status == discmc::Status::finished) end_scan();
-      const bool goes_on = decoded.status == discmc::Status::suspended ||  // rows are skipped
-                           decoded.status == discmc::Status::finished;
-      if (!goes_on) return decoded.status == discmc::Status::ok;
+      const bool must_push_rest =
+          decoded.status == discmc::Status::suspended ||  // rows are skipped
+          decoded.status == discmc::Status::finished;
+      if (!must_push_rest) return decoded.status == discmc::Status::ok;
     }
   }
 
