@@ -96,11 +96,12 @@ uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config) {
   if (!cpp(config->limits).is_valid() || config->surface_count > StreamHeader::max_surfaces)
     return 0;
   const discmc_slice_kind* const kind = config->kind;
-  const SliceEncoderConfig of_encoder = config_of(*config);
+  const SliceEncoderConfig encoder_config = config_of(*config);
   if (kind == nullptr)
-    return bytes_with_object(sizeof(discmc_slice_encoder), SliceEncoder::minimum_bytes(of_encoder));
-  const uint64_t rest = kind->minimum_bytes(of_encoder);
-  return rest == 0 ? 0 : bytes_with_object(kind->object_bytes, rest);
+    return bytes_with_object(sizeof(discmc_slice_encoder),
+                             SliceEncoder::minimum_bytes(encoder_config));
+  const uint64_t encoder_bytes = kind->minimum_bytes(encoder_config);
+  return encoder_bytes == 0 ? 0 : bytes_with_object(kind->object_bytes, encoder_bytes);
 }
 
 discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,

@@ -8,13 +8,13 @@ namespace discmc::detail {
 // The checksum begins with the properties that a restored object must share with the saved one.
 uint32_t Seal::checksum_of(const void* object, uint32_t object_bytes, uint32_t layout,
                            const void* memory) {
-  const uint32_t before = checksum_;
+  const uint32_t own_checksum = checksum_;
   checksum_ = 0;  // the seal is part of the object
   const uint32_t offset = reinterpret_cast<uintptr_t>(memory) % Arena::alignment;
   const uint32_t common = layout << 16 ^ object_bytes << 2 ^ offset;
-  const uint32_t of_object = crc32(static_cast<const uint8_t*>(object), object_bytes, common);
-  checksum_ = before;
-  return crc32(static_cast<const uint8_t*>(memory), memory_bytes_, of_object);
+  const uint32_t object_checksum = crc32(static_cast<const uint8_t*>(object), object_bytes, common);
+  checksum_ = own_checksum;
+  return crc32(static_cast<const uint8_t*>(memory), memory_bytes_, object_checksum);
 }
 
 void Seal::close(void* object, uint32_t object_bytes, uint32_t layout, Memory used) {

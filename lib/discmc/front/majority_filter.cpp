@@ -7,9 +7,9 @@ namespace {
 void add(uint32_t (&sum)[5], uint32_t ones, uint32_t twos) {
   uint32_t carry = sum[0] & ones;
   sum[0] ^= ones;
-  const uint32_t both = twos ^ carry;
-  carry = (twos & carry) | (sum[1] & both);
-  sum[1] ^= both;
+  const uint32_t either = twos ^ carry;
+  carry = (twos & carry) | (sum[1] & either);
+  sum[1] ^= either;
   for (uint32_t digit = 2; digit < 5; ++digit) {
     const uint32_t next = sum[digit] & carry;
     sum[digit] ^= carry;

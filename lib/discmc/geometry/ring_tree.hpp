@@ -116,12 +116,12 @@ class RingTree {
     for (;;) {
       const uint32_t ring = first_from(rings, plane, {low.u, line});
       if (ring == no_slot || !is_on(rings, ring, plane)) return false;
-      const ProjectedPoint found = point(rings, ring);
-      if (found.v > high.v) return false;
-      if (found.u > high.u)
-        line = found.v + 1;
-      else if (found.u < low.u)
-        line = found.v;
+      const ProjectedPoint at_ring = point(rings, ring);
+      if (at_ring.v > high.v) return false;
+      if (at_ring.u > high.u)
+        line = at_ring.v + 1;
+      else if (at_ring.u < low.u)
+        line = at_ring.v;
       else
         return true;
     }

@@ -133,8 +133,8 @@ class FractionCode {
     const uint32_t axis = this->axis();
     uint16_t& entry = row_.entries[voxel()];
     const uint32_t shift = 3 * axis;
-    const uint32_t known = entry >> shift & eighths;
-    const uint32_t written = is_on_ ? known : 8 - known;
+    const uint32_t stored = entry >> shift & eighths;
+    const uint32_t written = is_on_ ? stored : 8 - stored;
     const uint32_t read = code_fraction(coder, context_of(axis), written);
     const uint32_t fraction = is_on_ ? read : 8 - read;
     if (read != written) {  // a reader
@@ -172,9 +172,9 @@ class FractionCode {
   // none. fractions: four of them, counted towards that end.
   static uint32_t end_context(uint32_t fractions) {
     if (fractions == 0) return 0;
-    constexpr uint32_t ones = 0x249;  // a bit per fraction
-    const uint32_t known = (fractions | fractions >> 1 | fractions >> 2) & ones;
-    const uint32_t count = (known * ones >> 9) & 7;
+    constexpr uint32_t ones = 0x249;  // the low bit of each fraction
+    const uint32_t is_crossed = (fractions | fractions >> 1 | fractions >> 2) & ones;
+    const uint32_t count = (is_crossed * ones >> 9) & 7;
     const uint32_t sum =
         (fractions & 7) + (fractions >> 3 & 7) + (fractions >> 6 & 7) + (fractions >> 9);
     return 1U + (3 * sum <= 16 * count ? 1U : 0U) + (3 * sum <= 8 * count ? 1U : 0U);
@@ -216,9 +216,9 @@ class FractionCode {
       forward = forward_context(8);
     }
     lower |= ((8 - (next & eighths)) & eighths) << 9;
-    const uint32_t at_lower = end_context(lower), at_upper = end_context(upper);
-    const uint32_t off_end = is_on_ ? at_lower : at_upper;
-    const uint32_t on_end = is_on_ ? at_upper : at_lower;
+    const uint32_t lower_end = end_context(lower), upper_end = end_context(upper);
+    const uint32_t off_end = is_on_ ? lower_end : upper_end;
+    const uint32_t on_end = is_on_ ? upper_end : lower_end;
     using namespace fraction_context;
     return ((line_context(crossing) * off_ends + off_end) * on_ends + on_end) * forwards + forward;
   }

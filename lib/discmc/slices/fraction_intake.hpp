@@ -83,8 +83,8 @@ class FractionIntake {
     const uint32_t far_width = width_of(min_sample, doubled_);
     const trace::Threshold<Sample> far_threshold(threshold_ - (int32_t{1} << far_width >> 1));
     while (count > 0) {
-      const uint32_t to_next = far_threshold.block - column % far_threshold.block;
-      const uint32_t part_count = count < to_next ? count : to_next;
+      const uint32_t left_in_block = far_threshold.block - column % far_threshold.block;
+      const uint32_t part_count = count < left_in_block ? count : left_in_block;
       const Sample* const part = samples_ + column;
       if (part_count == far_threshold.block && far_threshold.reads_words(part) &&
           far_threshold.is_block_off(part))
@@ -156,14 +156,15 @@ class FractionIntake {
 
   // Returns the part of the edge that contains the crossing. Units: eighths from the lower end.
   uint32_t fraction(uint32_t lower, uint32_t upper, bool is_upper_on) const {
-    const uint32_t whole = lower + upper;
-    uint32_t rest = 2 * (is_upper_on ? lower : upper);  // distance of the end that is off
+    const uint32_t edge = lower + upper;
+    // Twice the distance from the end that is off, or from the middle if it is beyond.
+    uint32_t doubled = 2 * (is_upper_on ? lower : upper);
     uint32_t eighths = levels_ == 2 ? 2 : 1;
-    if (rest >= whole) {
+    if (doubled >= edge) {
       eighths += 4;
-      rest -= whole;
+      doubled -= edge;
     }
-    if (levels_ == 4 && 2 * rest >= whole) eighths += 2;
+    if (levels_ == 4 && 2 * doubled >= edge) eighths += 2;
     return is_upper_on ? eighths : 8 - eighths;
   }
 

@@ -27,19 +27,19 @@ constexpr uint32_t count_widths = 16;
 /// slice. Units: 8,192nds, in the upper 13 bits. The lower 3 bits count its decisions, up to 7.
 class FractionProbability {
  public:
-  constexpr operator LearntProbability() const { return LearntProbability(of_one_); }
+  constexpr operator LearntProbability() const { return LearntProbability(one_); }
   /// Adapts to a bit: by half of the way to certainty at first, later by a 32nd.
   constexpr void learn(bool bit) {
     constexpr uint32_t max_count = 7;
-    const uint32_t count = of_one_ & max_count;
+    const uint32_t count = one_ & max_count;
     const uint32_t rate = (count + 3) >> 1;
-    uint32_t one = of_one_ >> 3;
+    uint32_t one = one_ >> 3;
     one = bit ? one + ((8191 - one) >> rate) : one - (one >> rate);
-    of_one_ = static_cast<uint16_t>(one << 3 | (count < max_count ? count + 1 : max_count));
+    one_ = static_cast<uint16_t>(one << 3 | (count < max_count ? count + 1 : max_count));
   }
 
  private:
-  uint16_t of_one_ = 0x8000;
+  uint16_t one_ = 0x8000;  // probability of a 1, and the count
 };
 
 class FractionModel {

@@ -72,23 +72,23 @@ template <class Sample>
 void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold) {
   if (count == 0) return;
   uint32_t* const words = arriving();
-  const Threshold<Sample> on(threshold);
+  const Threshold<Sample> compared(threshold);
   // A whole group that is off is unlikely after samples that were on.
   bool may_be_off = true;
   while (count > 0) {
     uint32_t placed = 0;
     uint32_t bits = 0;
-    if (stride == 1 && count >= on.lanes && on.reads_words(samples)) {
-      if (may_be_off) placed = on.leading_off(samples, count);
+    if (stride == 1 && count >= compared.lanes && compared.reads_words(samples)) {
+      if (may_be_off) placed = compared.leading_off(samples, count);
       if (placed == 0) {
-        placed = (count < max_placed ? count : max_placed) / on.lanes * on.lanes;
-        bits = on.words_reached(samples, placed);
+        placed = (count < max_placed ? count : max_placed) / compared.lanes * compared.lanes;
+        bits = compared.words_reached(samples, placed);
         may_be_off = bits == 0;
       }
     } else {
-      const uint32_t to_word = stride == 1 ? on.samples_to_word(samples) : max_placed;
-      for (; placed < to_word && placed < count; ++placed)
-        bits |= static_cast<uint32_t>(on.reached(samples[size_t{placed} * stride])) << placed;
+      const uint32_t before_word = stride == 1 ? compared.samples_to_word(samples) : max_placed;
+      for (; placed < before_word && placed < count; ++placed)
+        bits |= static_cast<uint32_t>(compared.reached(samples[size_t{placed} * stride])) << placed;
     }
     if (bits != 0) turn_on(words, bits);
     column_ += placed;

@@ -197,9 +197,9 @@ constexpr void add_spoke_ways(SectorTable& table, const SpokeQueues& spokes) {
         for (const uint8_t edge_pair : edge_pairs) {
           if (edge_pair == 0) continue;
           const CellEdge own = own_edge(axis, quadrant);
-          const uint8_t to_and_from[] = {static_cast<uint8_t>(edge_pair & 15),
-                                         static_cast<uint8_t>(edge_pair >> 4)};
-          for (const uint8_t way : to_and_from) {
+          const uint8_t ways_of_pair[] = {static_cast<uint8_t>(edge_pair & 15),
+                                          static_cast<uint8_t>(edge_pair >> 4)};
+          for (const uint8_t way : ways_of_pair) {
             const CellEdge other = edge_in(axis, quadrant, way);
             table.axis[axis].way[quadrant][way] =
                 Way(opposite_link(link_inwards(other)), spokes.queue[own][other], other > own);
@@ -276,7 +276,7 @@ constexpr uint32_t part_of(int lines) {
   return cell | facet << CountParts::facet_shift | triangle << CountParts::triangle_shift;
 }
 
-// Returns the index of a value in an array, and appends a new value.
+// Returns the index of a value among `count` known values. A new value is appended first.
 template <class Value>
 constexpr int number_in(Value* known, int& count, Value value) {
   int number = 0;

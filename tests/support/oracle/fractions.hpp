@@ -25,10 +25,12 @@ inline uint32_t fraction_between(int64_t lower, int64_t upper, int64_t threshold
   const auto distance = [threshold](int64_t sample) {
     return static_cast<uint64_t>(std::llabs(2 * sample - (2 * threshold - 1)));
   };
-  const uint64_t of_lower = is_lower_rounded ? middle_of_octave(distance(lower)) : distance(lower);
-  const uint64_t of_upper = distance(upper);
-  const uint64_t of_off = is_upper_on ? of_lower : of_upper;
-  const auto level = static_cast<uint32_t>(levels * of_off / (of_lower + of_upper));
+  const uint64_t lower_distance =
+      is_lower_rounded ? middle_of_octave(distance(lower)) : distance(lower);
+  const uint64_t upper_distance = distance(upper);
+  const uint64_t off_distance = is_upper_on ? lower_distance : upper_distance;
+  const auto level =
+      static_cast<uint32_t>(levels * off_distance / (lower_distance + upper_distance));
   const uint32_t eighths = (2 * level + 1) * 4 / levels;
   return is_upper_on ? eighths : 8 - eighths;
 }
@@ -40,12 +42,12 @@ std::vector<uint16_t> fractions_of_row(const SampleVolume<Sample>& volume, int32
   std::vector<uint16_t> entries(volume.size.width);
   const Sample* const row = volume.row(y, z);
   for (uint32_t x = 0; x < volume.size.width; ++x) {
-    const auto to = [&](Sample lower, bool is_rounded) {
+    const auto fraction_from = [&](Sample lower, bool is_rounded) {
       return fraction_between(lower, row[x], threshold, levels, is_rounded);
     };
-    const uint32_t along_x = x > 0 ? to(row[x - 1], false) : 0;
-    const uint32_t along_y = y > 0 ? to(volume.row(y - 1, z)[x], false) : 0;
-    const uint32_t along_z = z > 0 ? to(volume.row(y, z - 1)[x], true) : 0;
+    const uint32_t along_x = x > 0 ? fraction_from(row[x - 1], false) : 0;
+    const uint32_t along_y = y > 0 ? fraction_from(volume.row(y - 1, z)[x], false) : 0;
+    const uint32_t along_z = z > 0 ? fraction_from(volume.row(y, z - 1)[x], true) : 0;
     entries[x] = static_cast<uint16_t>(along_x | along_y << 3 | along_z << 6);
   }
   return entries;
