@@ -104,17 +104,17 @@ void CollapsingMesh::describe(std::uint32_t kept, std::uint32_t gone, const Poin
 
 bool CollapsingMesh::keeps_topology(const Collapse& collapse) {
   const std::uint32_t kept = collapse.kept, gone = collapse.gone;
-  const std::uint32_t of_kept = ++last_mark_, of_both = ++last_mark_;
+  const std::uint32_t kept_mark = ++last_mark_, common_mark = ++last_mark_;
   unsigned common = 0, around_kept = 0, around_gone = 0;
   for_each_triangle(kept, [&](std::uint32_t triangle, std::uint32_t) {
     ++around_kept;
-    for (const std::uint32_t vertex : triangles_[triangle]) mark_[vertex] = of_kept;
+    for (const std::uint32_t vertex : triangles_[triangle]) mark_[vertex] = kept_mark;
   });
   for_each_triangle(gone, [&](std::uint32_t triangle, std::uint32_t) {
     ++around_gone;
     for (const std::uint32_t vertex : triangles_[triangle]) {
-      if (vertex == kept || vertex == gone || mark_[vertex] != of_kept) continue;
-      mark_[vertex] = of_both;
+      if (vertex == kept || vertex == gone || mark_[vertex] != kept_mark) continue;
+      mark_[vertex] = common_mark;
       ++common;
     }
   });

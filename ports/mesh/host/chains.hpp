@@ -111,9 +111,9 @@ class Chains {
 
   /// Finds the next closed ring, in the order of closing. Returns false if there is none.
   bool find_ring(Slots& slots);
-  /// Returns the corners of the found ring, in order from any corner. There are none if the walk did
+  /// Returns the corners of the found ring, in order from any corner. Returns none if the walk did
   /// not reach its join within `corners` corners; up to one more is listed. The array has room for
-  /// max_corners more.
+  /// as many corners again.
   uint64_t* corners() { return corner_; }
   uint32_t corner_count() const { return corner_count_; }
   /// Makes the found ring outgoing, as slots.

@@ -22,9 +22,9 @@ PlacedTriangle placed(const FaceMesh& mesh, std::uint32_t face) {
   return {mesh.face(face), corners_of(mesh, face)};
 }
 
-bool intersect(const FaceMesh& mesh, const ComparedTriangle& one, std::uint32_t other) {
-  const bool share_an_edge = count_shared(one.numbers, mesh.face(other)) > 1;
-  return !share_an_edge && intersect(one, placed(mesh, other));
+bool intersect(const FaceMesh& mesh, const ComparedTriangle& compared, std::uint32_t other) {
+  const bool share_an_edge = count_shared(compared.numbers, mesh.face(other)) > 1;
+  return !share_an_edge && intersect(compared, placed(mesh, other));
 }
 
 BoxTree tree_of(const FaceMesh& mesh, const FaceList& faces, unsigned jobs) {
@@ -52,10 +52,11 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
       [&](std::size_t number, std::vector<FacePair>& found) {
         std::optional<ComparedTriangle> compared;
         tree.for_each_near_pair(number, [&](std::uint32_t index, std::uint32_t other_index) {
-          const std::uint32_t one = faces[index], other = faces[other_index];
-          if (!compared || compared->numbers != mesh.face(one)) compared.emplace(placed(mesh, one));
+          const std::uint32_t face = faces[index], other = faces[other_index];
+          if (!compared || compared->numbers != mesh.face(face))
+            compared.emplace(placed(mesh, face));
           if (intersect(mesh, *compared, other))
-            found.push_back({std::min(one, other), std::max(one, other)});
+            found.push_back({std::min(face, other), std::max(face, other)});
         });
       },
       [&](std::size_t, const std::vector<FacePair>& found) {

@@ -165,7 +165,7 @@ class VolumeKeeper {
           const auto other_id = surfaces_[other].crossings->find(middle);
           neighbour = pieces_by_surface_[other].piece_of(*other_id);
           if (number < other)
-            share(crossings.ends(id), surfaces_[other].crossings->ends(*other_id));
+            share_difference(crossings.ends(id), surfaces_[other].crossings->ends(*other_id));
         }
         pieces_[surface_pieces.first_piece + surface_pieces.piece_by_polygon[polygon]]
             .edges.push_back({id, crossings.falls(id) ? 1.0F : -1.0F, neighbour, {}});
@@ -177,9 +177,10 @@ class VolumeKeeper {
     return keeping_.surface_of(off_voxel(middle, id, surfaces_[number].crossings->falls(id)));
   }
 
-  static void share(Ends& one, Ends& other) {
-    one = {one.begin - other.begin, one.end - other.end};
-    other = {-one.begin, -one.end};
+  // Both sides of an edge get the difference of their ends, with opposite signs.
+  static void share_difference(Ends& own, Ends& other) {
+    own = {own.begin - other.begin, own.end - other.end};
+    other = {-own.begin, -own.end};
   }
 
   void move_crossings(const Piece& piece) {
@@ -190,8 +191,9 @@ class VolumeKeeper {
   // Returns a crossing, like Crossings::at(), with the current shifts.
   float at(const Piece& piece, const Piece::Edge& edge) const {
     const auto min_distance = static_cast<float>(keeping_.min_distance_mm);
-    const double of_neighbour = edge.neighbour == no_piece ? 0 : pieces_[edge.neighbour].shift_mm;
-    const auto shift = static_cast<float>(piece.shift_mm - of_neighbour);
+    const double neighbour_shift =
+        edge.neighbour == no_piece ? 0 : pieces_[edge.neighbour].shift_mm;
+    const auto shift = static_cast<float>(piece.shift_mm - neighbour_shift);
     // Avoids branches on the direction of an edge, which are mispredicted.
     return Crossings::zero_between({std::max(edge.sign * (edge.ends.begin + shift), min_distance),
                                     std::min(edge.sign * (edge.ends.end + shift), -min_distance)});

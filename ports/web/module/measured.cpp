@@ -28,13 +28,13 @@ Measured measured(const MemoryVolume& volume) {
   result.least = statistics.least;
   result.greatest = statistics.greatest;
   result.numbers = static_cast<double>(statistics.numbers);
-  const auto by = [&](command::ThresholdRule rule) {
+  const auto threshold_by = [&](command::ThresholdRule rule) {
     return threshold(rule, is_in_hounsfield, statistics);
   };
-  result.automatic = by(command::ThresholdRule::automatic);
-  result.otsu = by(command::ThresholdRule::otsu);
-  result.bone = by(command::ThresholdRule::bone);
-  result.skin = by(command::ThresholdRule::skin);
+  result.automatic = threshold_by(command::ThresholdRule::automatic);
+  result.otsu = threshold_by(command::ThresholdRule::otsu);
+  result.bone = threshold_by(command::ThresholdRule::bone);
+  result.skin = threshold_by(command::ThresholdRule::skin);
   if (statistics.numbers > 0) {
     result.dark = command::percentile(statistics, 0.5);
     result.bright = command::percentile(statistics, 99.5);
