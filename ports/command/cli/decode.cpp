@@ -57,9 +57,9 @@ class Recoder {
 // A part of the same extents may still have another place in the volume.
 void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
   if (!volume.whole_dims || !decoded.placement) return;
-  VolumeInfo of_stream = volume;
-  of_stream.placement = decoded.placement;
-  const double apart = offset_mm(volume, of_stream);
+  VolumeInfo stream_part = volume;
+  stream_part.placement = decoded.placement;
+  const double apart = offset_mm(volume, stream_part);
   if (apart == 0) return;
   std::ostringstream text;
   text << "the part of the volume lies " << apart

@@ -66,10 +66,10 @@ ChosenLabels chosen_labels(const ExtractArguments& arguments, const LabelNames& 
         chosen.regions.push_back(each);
         continue;
       }
-      auto& of_layer = chosen.labels[layer];
+      auto& labels_of_layer = chosen.labels[layer];
       if (values.empty()) continue;  // a mask, which has one label
-      if (!of_layer) of_layer.emplace();
-      of_layer->insert(values[0]);
+      if (!labels_of_layer) labels_of_layer.emplace();
+      labels_of_layer->insert(values[0]);
     }
   return chosen;
 }

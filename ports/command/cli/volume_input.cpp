@@ -79,9 +79,9 @@ std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOp
 }
 
 std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOptions& options) {
-  VolumeOptions of_first = options;
-  if (!options.frame) of_first.frame = 0;
-  auto volume = open_volume(path, of_first);
+  VolumeOptions first_frame = options;
+  if (!options.frame) first_frame.frame = 0;
+  auto volume = open_volume(path, first_frame);
   const VolumeInfo& info = volume->info();
   if (options.frame || info.frames == 1 || !info.labels.empty()) return volume;
   // The reader may list the choices.

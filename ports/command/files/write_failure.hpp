@@ -14,8 +14,8 @@ namespace discmc::command {
 /// the reason if errno has another origin.
 inline std::string write_failure() {
   std::string reason;
-  for (const int of_writes : {ENOSPC, EDQUOT, EFBIG, EIO, EPIPE})
-    if (errno == of_writes) reason = " (" + std::generic_category().message(of_writes) + ")";
+  for (const int write_error : {ENOSPC, EDQUOT, EFBIG, EIO, EPIPE})
+    if (errno == write_error) reason = " (" + std::generic_category().message(write_error) + ")";
   return "writing failed" + reason + "; free space, or write to another disk";
 }
 

@@ -150,11 +150,11 @@ Point glb_origin(const Meshes& meshes) {
 }
 
 void write_glb(const Meshes& meshes, std::ostream& out) {
-  const Meshes seen = with_faces(meshes);  // glTF allows no empty arrays
-  for (const FileMesh* mesh : seen) require_triangles(*mesh, "GLB");
+  const Meshes nonempty = with_faces(meshes);  // glTF allows no empty arrays
+  for (const FileMesh* mesh : nonempty) require_triangles(*mesh, "GLB");
   Arrays arrays;
-  const Point origin = glb_origin(seen);
-  std::string json = describe(seen, origin, arrays);
+  const Point origin = glb_origin(nonempty);
+  std::string json = describe(nonempty, origin, arrays);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::uint64_t binary = arrays.bytes() > 0 ? 8 + arrays.bytes() : 0;
   const std::uint64_t total = 12 + 8 + json.size() + binary;
@@ -170,7 +170,7 @@ void write_glb(const Meshes& meshes, std::ostream& out) {
   if (binary > 0) {
     writer.bytes(arrays.bytes(), 4);
     writer.bytes(binary_chunk, 4);
-    for (const FileMesh* mesh : seen) write_arrays(*mesh, origin, writer);
+    for (const FileMesh* mesh : nonempty) write_arrays(*mesh, origin, writer);
   }
   writer.finish();
 }

@@ -179,8 +179,8 @@ void write_3mf(const Meshes& meshes, std::ostream& out) {
   constexpr std::uint64_t vertex_line = 100, triangle_line = 70, other_bytes = 1000;
   constexpr std::uint64_t letter = 12;  // per character of a name, escaped, in both places
   std::uint64_t bytes = other_bytes;
-  const Meshes seen = with_faces(meshes);  // 3MF allows no object without triangles
-  for (const FileMesh* mesh : seen) {
+  const Meshes nonempty = with_faces(meshes);  // 3MF allows no object without triangles
+  for (const FileMesh* mesh : nonempty) {
     require_triangles(*mesh, "3MF");
     bytes += vertex_line * mesh->vertices_mm.size() + triangle_line * mesh->face_count() +
              letter * mesh->name.size() + other_bytes;
@@ -188,7 +188,7 @@ void write_3mf(const Meshes& meshes, std::ostream& out) {
   ZipFile zip(out, bytes);
   zip.add("[Content_Types].xml", [](std::ostream& part) { part << content_types; });
   zip.add("_rels/.rels", [](std::ostream& part) { part << relationships; });
-  zip.add("3D/3dmodel.model", [&seen](std::ostream& part) { write_model(seen, part); });
+  zip.add("3D/3dmodel.model", [&nonempty](std::ostream& part) { write_model(nonempty, part); });
   zip.finish();
   Writer(out).finish();
 }

@@ -232,13 +232,13 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
   if (columns > UINT32_MAX || in_block / columns > UINT32_MAX || frames > UINT32_MAX)
     fail(file, "the array has " + std::to_string(in_block) + " samples per slice",
          "give an array with smaller slices");
-  VolumeInfo of_blocks = info;
-  of_blocks.dims = {static_cast<std::uint32_t>(columns),
-                    static_cast<std::uint32_t>(in_block / columns), info.dims[blocks.block_axis]};
-  of_blocks.frames = frames;
+  VolumeInfo block_info = info;
+  block_info.dims = {static_cast<std::uint32_t>(columns),
+                     static_cast<std::uint32_t>(in_block / columns), info.dims[blocks.block_axis]};
+  block_info.frames = frames;
   return turned(
       std::move(info),
-      std::make_unique<SliceStream>(std::move(of_blocks), std::move(stream), is_big_endian, frame),
+      std::make_unique<SliceStream>(std::move(block_info), std::move(stream), is_big_endian, frame),
       blocks, file);
 }
 

@@ -39,9 +39,9 @@ void fill_gaps(std::vector<Slice>& stack, const std::vector<Gap>& gaps) {
   for (std::size_t i = 0; i < stack.size(); ++i) {
     filled.push_back(stack[i]);
     if (gap == gaps.end() || gap->slice != i) continue;
-    const std::size_t of_the_next = gap->missing / 2;
-    filled.insert(filled.end(), gap->missing - of_the_next, stack[i]);
-    filled.insert(filled.end(), of_the_next, stack[i + 1]);
+    const std::size_t nearer_next = gap->missing / 2;
+    filled.insert(filled.end(), gap->missing - nearer_next, stack[i]);
+    filled.insert(filled.end(), nearer_next, stack[i + 1]);
     ++gap;
   }
   stack = std::move(filled);

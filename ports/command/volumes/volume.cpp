@@ -165,11 +165,11 @@ std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
   require_no_address(file);
   if (!options.others.empty()) {
-    VolumeOptions of_all = options;
-    std::vector<std::filesystem::path> files = std::move(of_all.others);
-    of_all.others.clear();
+    VolumeOptions group_options = options;
+    std::vector<std::filesystem::path> files = std::move(group_options.others);
+    group_options.others.clear();
     files.insert(files.begin(), file);
-    return open_files(file, files, of_all);
+    return open_files(file, files, group_options);
   }
   if (options.layout) {
     require_headerless_name(file);
@@ -190,9 +190,10 @@ std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
   }
 
   ByteStream stream = open_content(file);
-  const VolumeFormat* const of_head = format_of_head(stream.peek(magic_bytes));
+  const VolumeFormat* const content_format = format_of_head(stream.peek(magic_bytes));
   const bool may_be_any = format == nullptr && !is_stream_name(file) && !is_mesh_name(file);
-  if (may_be_any || (of_head != nullptr && !is_read(*of_head))) format = of_head;
+  if (may_be_any || (content_format != nullptr && !is_read(*content_format)))
+    format = content_format;
   if (format == nullptr) fail_unread(stream.file(), nullptr);
   return open_stream(std::move(stream), *format, options);
 }

@@ -96,7 +96,7 @@ void add_layout_options(CLI::App& app, VolumeOptions& options) {
                           ->expected(3)
                           ->option_text("X,Y,Z");
   CLI::Option* type = add_named_option<SampleType>(
-      app, "--type", [layout](SampleType of_samples) { layout().type = of_samples; },
+      app, "--type", [layout](SampleType sample_type) { layout().type = sample_type; },
       {std::begin(sample_types), std::end(sample_types)},
       "sample type of a headerless file: unsigned, signed or floating point, with its bits");
   dims->needs(type);

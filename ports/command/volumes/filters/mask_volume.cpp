@@ -86,14 +86,14 @@ std::unique_ptr<VolumeReader> masked(std::unique_ptr<VolumeReader> labels,
 
 std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
                                         const VolumeOptions& options, const VolumeInfo& volume) {
-  VolumeOptions of_all;
-  of_all.spacing_mm = options.spacing_mm;
-  of_all.allow_gaps = options.allow_gaps;
+  VolumeOptions mask_options;
+  mask_options.spacing_mm = options.spacing_mm;
+  mask_options.allow_gaps = options.allow_gaps;
   // The frame, channel and layout in the options describe the volume, not the mask.
-  of_all.frame = 0;
-  of_all.channel = 0;
-  if (names_no_axes(file)) of_all.axes = axes_of_space(options.axes);
-  auto mask = open_volume(file, of_all);
+  mask_options.frame = 0;
+  mask_options.channel = 0;
+  if (names_no_axes(file)) mask_options.axes = axes_of_space(options.axes);
+  auto mask = open_volume(file, mask_options);
   if (mask->info().frames > 1)
     fail(file, "the mask holds " + std::to_string(mask->info().frames) + " volumes",
          "store the mask in a file of its own");

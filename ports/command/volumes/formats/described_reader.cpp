@@ -100,10 +100,10 @@ std::unique_ptr<VolumeReader> open_described(ByteStream stream, const VolumeOpti
          "the file describes " + shown(samples.filename().string()) + ", of " +
              extents(layout.dims) + " voxels, which is not beside it",
          "copy it there too");
-  VolumeOptions of_samples = options;
-  of_samples.layout = layout;
-  if (has_spacing && !options.spacing_mm) of_samples.spacing_mm = spacing_mm;
-  return open_raw(open_content(samples), of_samples);
+  VolumeOptions sample_options = options;
+  sample_options.layout = layout;
+  if (has_spacing && !options.spacing_mm) sample_options.spacing_mm = spacing_mm;
+  return open_raw(open_content(samples), sample_options);
 }
 
 }  // namespace discmc::command

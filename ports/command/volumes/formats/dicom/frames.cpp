@@ -76,9 +76,9 @@ RejectReason place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames)
   constexpr double rounding_mm = 0.01;
   const DicomPlace place = *frames.front().place;
   const Vector normal = normal_of(place);
-  const bool are_ways = std::fabs(*first) <= rounding_mm;
+  const bool are_distances = std::fabs(*first) <= rounding_mm;
   const bool are_axial = std::fabs(normal[2]) > 1 - 1e-6;
-  if (!are_ways && !(are_axial && std::fabs(*first - place.position[2]) <= rounding_mm))
+  if (!are_distances && !(are_axial && std::fabs(*first - place.position[2]) <= rounding_mm))
     return {"a grid whose GridFrameOffsetVector begins with " + short_number(*first) +
                 ", which is neither 0 nor the z of its position",
             "export the dose again"};
@@ -87,8 +87,8 @@ RejectReason place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames)
     if (!offset)
       return {"a grid with more frames than offsets (GridFrameOffsetVector)",
               "export the dose again"};
-    const double way = are_ways ? *offset : (*offset - *first) * normal[2];
-    frame.place->position = sum(place.position, way, normal);
+    const double distance = are_distances ? *offset : (*offset - *first) * normal[2];
+    frame.place->position = sum(place.position, distance, normal);
   }
   return {};
 }

@@ -230,11 +230,12 @@ void read_itk_image(DeclaredPlace& place, const Hdf5Handle& file, const std::str
   const std::filesystem::path image = std::filesystem::path(path).parent_path();
   if (!is_in("/ITKImage/", path) || path != image / "VoxelData" || layout.order() != "zyx") return;
   const auto directions = numbers_in(file, image / "Directions");
-  DeclaredPlace of_itk;
-  if (directions.size() != 9 || !set_three(of_itk.spacing, numbers_in(file, image / "Spacing")) ||
-      !set_three(of_itk.origin, numbers_in(file, image / "Origin")))
+  DeclaredPlace itk_place;
+  if (directions.size() != 9 ||
+      !set_three(itk_place.spacing, numbers_in(file, image / "Spacing")) ||
+      !set_three(itk_place.origin, numbers_in(file, image / "Origin")))
     return;
-  place = of_itk;
+  place = itk_place;
   place.directions.emplace();
   for (std::size_t i = 0; i < 9; ++i) (*place.directions)[i / 3][i % 3] = directions[i];
   place.set_unit("mm");
@@ -318,11 +319,11 @@ std::unique_ptr<VolumeReader> volume_of(const std::filesystem::path& name, Volum
   count[*layout.axes[row]] = info.dims[row];
   count[*layout.axes[column]] = info.dims[column];
   dataset.expect(file, count);
-  VolumeInfo of_blocks = info;
-  of_blocks.dims = {info.dims[column], info.dims[row], info.dims[blocks.block_axis]};
+  VolumeInfo block_info = info;
+  block_info.dims = {info.dims[column], info.dims[row], info.dims[blocks.block_axis]};
   // An image is one block.
   const std::size_t axis = layout.axes[blocks.block_axis].value_or(0);
-  auto reader = std::make_unique<Hdf5Blocks>(name, std::move(of_blocks), std::move(dataset),
+  auto reader = std::make_unique<Hdf5Blocks>(name, std::move(block_info), std::move(dataset),
                                              std::move(first), std::move(count), axis);
   if (blocks.block_axis == 2 && column == 0) return reader;
   return turned(std::move(info), std::move(reader), blocks, name);

@@ -90,9 +90,9 @@ bool has_even_steps(const Names& names, std::size_t place) {
 // Others, such as dates, need not.
 bool is_one_order(const Names& names, const Count& count) {
   const auto is_in_order = [&names](std::size_t place) {
-    const Numbers one = {place};
-    return std::is_sorted(names.begin(), names.end(), Earlier(one)) ||
-           std::is_sorted(names.rbegin(), names.rend(), Earlier(one));
+    const Numbers places = {place};
+    return std::is_sorted(names.begin(), names.end(), Earlier(places)) ||
+           std::is_sorted(names.rbegin(), names.rend(), Earlier(places));
   };
   return std::all_of(count.counting.begin(), count.counting.end(), is_in_order) ||
          std::any_of(count.counting.begin(), count.counting.end(), [&](std::size_t place) {
@@ -103,10 +103,10 @@ bool is_one_order(const Names& names, const Count& count) {
 // Returns the numbers that may vary within a stack.
 Numbers numbers_of_stack(const Names& names, const Count& count) {
   if (count.counting.empty()) return {count.largest};
-  Numbers any = count.counting;
+  Numbers varying = count.counting;
   if (std::is_sorted(names.begin(), names.end(), Earlier(count.others)))
-    any.insert(count.others.begin(), count.others.end());
-  return any;
+    varying.insert(count.others.begin(), count.others.end());
+  return varying;
 }
 
 // ---- patterns ----
@@ -121,21 +121,21 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// Returns the name with wildcards for some numbers, from number `first` to the text behind `last`.
-std::string pattern(const NumberedName& name, const Numbers& any, const std::string& wildcard) {
+// Returns the name with wildcards for the varying numbers.
+std::string pattern(const NumberedName& name, const Numbers& varying, const std::string& wildcard) {
   std::string result = escaped(name.texts[0]);
   for (std::size_t i = 0; i < name.digits.size(); ++i)
-    result += (any.count(i) > 0 ? wildcard : name.digits[i]) + escaped(name.texts[i + 1]);
+    result += (varying.count(i) > 0 ? wildcard : name.digits[i]) + escaped(name.texts[i + 1]);
   return result;
 }
 
 // Returns patterns, the short forms first.
-std::vector<std::string> patterns(const NumberedName& name, const Numbers& any) {
-  const std::string whole = pattern(name, any, "*");
+std::vector<std::string> patterns(const NumberedName& name, const Numbers& varying) {
+  const std::string whole = pattern(name, varying, "*");
   const std::size_t first = whole.find('*'), last = whole.rfind('*');
   const std::string extension = escaped(std::filesystem::path(text_of(name)).extension().string());
   return {whole.substr(first), whole.substr(0, last + 1) + extension, whole,
-          pattern(name, any, "[0-9]*"), pattern(name, any, "*[0-9]")};
+          pattern(name, varying, "[0-9]*"), pattern(name, varying, "*[0-9]")};
 }
 
 std::set<std::string> names_in(const std::filesystem::path& folder) {
@@ -148,13 +148,13 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
 }
 
 // Returns a pattern that matches these files, and no others in their folder.
-std::optional<std::string> pattern_of(const Names& names, const Numbers& any,
+std::optional<std::string> pattern_of(const Names& names, const Numbers& varying,
                                       const std::filesystem::path& folder) {
-  if (any.empty()) return std::nullopt;
+  if (varying.empty()) return std::nullopt;
   std::set<std::string> wanted;
   for (const NumberedName& name : names) wanted.insert(text_of(name));
   const std::set<std::string> all = names_in(folder);
-  for (const std::string& candidate : patterns(names[0], any)) {
+  for (const std::string& candidate : patterns(names[0], varying)) {
     std::set<std::string> matched;
     for (const std::string& name : all)
       if (fnmatch(candidate.c_str(), name.c_str(), FNM_PERIOD) == 0) matched.insert(name);
@@ -166,14 +166,14 @@ std::optional<std::string> pattern_of(const Names& names, const Numbers& any,
 
 // Returns how to name the stack of the first file.
 std::string remedy(const Names& names, const std::filesystem::path& folder) {
-  const Numbers any = numbers_of_stack(names, count(names));
+  const Numbers varying = numbers_of_stack(names, count(names));
   Names stack;
   for (const NumberedName& name : names) {
     NumberedName alike = name;
-    for (const std::size_t place : any) alike.numbers[place] = names[0].numbers[place];
+    for (const std::size_t place : varying) alike.numbers[place] = names[0].numbers[place];
     if (alike.numbers == names[0].numbers) stack.push_back(name);
   }
-  const auto found = pattern_of(stack, any, folder);
+  const auto found = pattern_of(stack, varying, folder);
   const auto& texts = names[0].texts;
   const bool have_points = std::find(texts.begin() + 1, texts.end(), ".") != texts.end();
   return (found ? "give a pattern of one stack, such as '" + *found + "'"
@@ -221,13 +221,13 @@ void require_one_stack(const std::filesystem::path& source,
   if (kinds.size() == files.size()) return;  // without counting numbers, the order of names decides
   if (kinds.size() > 1) fail_kinds(source, kinds, folder);
   const Names& names = kinds[0];
-  const Count of_names = count(names);
-  if (of_names.counting.empty() && of_names.others.size() < 2)
+  const Count name_count = count(names);
+  if (name_count.counting.empty() && name_count.others.size() < 2)
     fail(source, "two pictures have the same number", "leave out one of them");
-  if (of_names.counting.empty() ||
-      !std::is_sorted(names.begin(), names.end(), Earlier(of_names.others)))
+  if (name_count.counting.empty() ||
+      !std::is_sorted(names.begin(), names.end(), Earlier(name_count.others)))
     fail_counts(source, names, folder);
-  if (!is_one_order(names, of_names))
+  if (!is_one_order(names, name_count))
     fail(source,
          "the numbers in the names give different orders, such as for " + shown(text_of(names[0])) +
              " and " + shown(text_of(names[1])),
