@@ -3,7 +3,7 @@
 //
 //   means.start(incoming, 2, memory);
 //   extractor.start(means.limits(), ...);
-//   for each row that comes:
+//   for each arriving row:
 //     if (const Sample* row = means.push(samples)) extractor.push(row, means.limits().width);
 //
 //   while (const Sample* row = means.drain()) extractor.push(row, means.limits().width);

@@ -48,7 +48,7 @@ Status Joiner::finish() {
   return is_short_ ? Status::too_little_memory : Status::ok;
 }
 
-// ---- events, one by one: false if the sink is busy; then the event comes again ----
+// ---- events, one by one: false if the sink is busy; the event is then sent again ----
 
 bool Joiner::process(const Event& event) {
   const Event::Kind kind = event.kind;

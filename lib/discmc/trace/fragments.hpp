@@ -181,7 +181,7 @@ class Fragments {
   }
 
   template <class Intake>
-  static Normal normal_where(bool is_corner, const Vertex& vertex, const Intake& intake) {
+  static Normal normal_if(bool is_corner, const Vertex& vertex, const Intake& intake) {
     return is_corner ? intake.normal_at(vertex) : Normal{};
   }
   template <class Intake>
@@ -245,7 +245,7 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::process(const Pass& pass, const V
       tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.incoming)), intake);
     } else if (pass.turns() || is_full_side(end(tail).side.place(), here)) {
       turn(tail, pass.incoming, here, direction(pass, pass.outgoing),
-           normal_where(pass.turns(), vertex, intake));
+           normal_if(pass.turns(), vertex, intake));
       has_new_runs = true;
     }
   }
@@ -264,7 +264,7 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::process(const Pass& pass, const V
   cut_tail(pass, vertex, tail);
 }
 
-// ---- how a chain comes to the vertex ----
+// ---- how a chain arrives at the vertex ----
 
 // Returns a tail that starts here. mate: its fragment's begin, or the mark of a loose begin.
 template <class Index, class Normal>
@@ -276,7 +276,7 @@ DISCMC_NOINLINE Index Fragments<Index, Normal>::new_tail(const Pass& pass, const
   slot.mate = mate;
   slot.runs = no_slot;
   slot.side = Side(direction(pass, pass.outgoing), place_of(vertex));
-  slot.set_normal(normal_where(pass.turns(), vertex, intake));
+  slot.set_normal(normal_if(pass.turns(), vertex, intake));
   return tail;
 }
 
@@ -316,7 +316,7 @@ DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& p
   }
   if (pass.turns() || !may_wait || is_full_side(here, end(begin).side.place())) {
     turn_back(begin, pass.outgoing, here, direction(pass, pass.incoming),
-              normal_where(pass.turns(), vertex, intake));
+              normal_if(pass.turns(), vertex, intake));
     has_new_runs = true;
   }
   if (!may_wait) {
