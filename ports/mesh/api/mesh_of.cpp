@@ -87,21 +87,21 @@ SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices)
 
 LabelOptions label_options(const SampleGrid& info, const MeshOptions& options,
                            const std::vector<std::int64_t>& labels) {
-  LabelOptions wanted;
-  wanted.border = options.border;
-  wanted.jobs = threads_of(options);
-  wanted.progress = [&options, slices = info.dims[2]](std::uint32_t done) {
+  LabelOptions result;
+  result.border = options.border;
+  result.jobs = threads_of(options);
+  result.progress = [&options, slices = info.dims[2]](std::uint32_t done) {
     report(options, "extracting", done, slices);
   };
-  if (labels.empty()) return wanted;
+  if (labels.empty()) return result;
   std::set<LabelValue> chosen;
   for (const std::int64_t label : labels)
     if (info.type == SampleType::u64)
       chosen.insert(LabelValue(static_cast<std::uint64_t>(label)));
     else
       chosen.insert(LabelValue(label));
-  wanted.chosen = std::move(chosen);
-  return wanted;
+  result.chosen = std::move(chosen);
+  return result;
 }
 
 void keep_volume(JoinedSurface& surface, CrossingFinder& crossings, const SampleGrid& info,
@@ -187,15 +187,15 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
   const AxisOrder order = axis_order(samples);
   const SweepAxes axes = sweep_axes(options, order);
   ArrayReader array(samples, order, axes.spacing);
-  const LabelOptions wanted = label_options(array.info(), options, labels);
+  const LabelOptions extraction = label_options(array.info(), options, labels);
   std::vector<SmoothedLabel> smoothed;
   std::vector<LabelledSurface> extracted;
   if (options.smoothing > 0)
     smoothed = smoothed_labels(
-        array, wanted, options.smoothing, options.tolerance,
+        array, extraction, options.smoothing, options.tolerance,
         [&](std::size_t done, std::size_t total) { report(options, "smoothing", done, total); });
   else
-    extracted = extract_labels(array, wanted);
+    extracted = extract_labels(array, extraction);
 
   std::vector<LabelMesh> meshes;
   const auto add = [&](LabelledSurface& label, Crossings* crossings) {

@@ -13,16 +13,18 @@ namespace {
 
 // Turns on the bits of a row from `begin` to before `end`.
 void set_bits(std::uint8_t* row, std::uint32_t begin, std::uint32_t end) {
-  const auto from_bit = [](std::uint32_t x) { return static_cast<std::uint8_t>(0xFFU << (x % 8)); };
+  const auto bits_from = [](std::uint32_t x) {
+    return static_cast<std::uint8_t>(0xFFU << (x % 8));
+  };
   const std::uint32_t last = end - 1;
-  const auto to_last = static_cast<std::uint8_t>(0xFFU >> (7 - last % 8));
+  const auto bits_to_last = static_cast<std::uint8_t>(0xFFU >> (7 - last % 8));
   if (begin / 8 == last / 8) {
-    row[begin / 8] = static_cast<std::uint8_t>(row[begin / 8] | (from_bit(begin) & to_last));
+    row[begin / 8] = static_cast<std::uint8_t>(row[begin / 8] | (bits_from(begin) & bits_to_last));
     return;
   }
-  row[begin / 8] = static_cast<std::uint8_t>(row[begin / 8] | from_bit(begin));
+  row[begin / 8] = static_cast<std::uint8_t>(row[begin / 8] | bits_from(begin));
   std::fill(row + begin / 8 + 1, row + last / 8, std::uint8_t{0xFF});
-  row[last / 8] = static_cast<std::uint8_t>(row[last / 8] | to_last);
+  row[last / 8] = static_cast<std::uint8_t>(row[last / 8] | bits_to_last);
 }
 
 // Sends rows to a scan, through a filter if there is one.

@@ -111,7 +111,7 @@ void Chains::copy_open(Slots& slots) {
   end_ = area.first + area.slots;
 }
 
-// Makes room in the queues. Returns false if one of them has too little.
+// Makes room in the queues. Returns false if a queue still has too little.
 bool Chains::grow_queues(Slots& slots) {
   find_min_free_seats();
   if (has_free_seats()) return true;

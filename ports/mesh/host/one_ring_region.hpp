@@ -19,7 +19,7 @@ class OneRingRegion {
   Incidence incidence() const { return code(0).incidence(); }
   uint32_t corner_count() const { return count_; }
   /// Units: half-steps.
-  Vertex corner(uint32_t i) const { return code(i).vertex() + moved_by_; }
+  Vertex corner(uint32_t i) const { return code(i).vertex() + offset_; }
   Vertex start() const { return corner(0); }
   /// Returns the number of the plane's directions by which the ring turns left at a corner.
   uint32_t left_turn(uint32_t i) const {
@@ -31,7 +31,7 @@ class OneRingRegion {
     return Run::straight(direction(code(i).onwards()), host::links_between(code(i), code(i + 1)));
   }
 
-  void move(const Vertex& by) { moved_by_ = moved_by_ + by; }
+  void move(const Vertex& vector) { offset_ = offset_ + vector; }
 
  private:
   Direction direction(Link link) const { return host::direction_table.by_link[incidence()][link]; }
@@ -39,7 +39,7 @@ class OneRingRegion {
 
   const uint64_t* corners_;
   uint32_t count_;
-  Vertex moved_by_{};
+  Vertex offset_{};
 };
 
 /// Calls send(event) for the events of a region, until a call returns false. Returns the number of

@@ -79,9 +79,9 @@ constexpr QueueTraits derived_queue_traits = derive_queue_traits();
 
 // ---- rays ----
 
-constexpr RayWord ray_word(const Way& comes, const Way& goes, Incidence behind) {
-  return pass_word(derived_queue_traits.code[comes.queue_in()],
-                   derived_queue_traits.code[goes.queue_out()], behind);
+constexpr RayWord ray_word(const Way& arrival, const Way& departure, Incidence behind) {
+  return pass_word(derived_queue_traits.code[arrival.queue_in()],
+                   derived_queue_traits.code[departure.queue_out()], behind);
 }
 
 constexpr uint32_t turned(uint32_t heading, uint32_t eighths) {

@@ -16,9 +16,9 @@ inline double squared_distance(const Point& point, const std::array<Point, 2>& s
   const double squared_length = dot(along, along);
   const double part =
       squared_length > 0 ? std::clamp(dot(away, along) / squared_length, 0.0, 1.0) : 0;
-  const Point rest = {away[0] - part * along[0], away[1] - part * along[1],
-                      away[2] - part * along[2]};
-  return dot(rest, rest);
+  const Point to_point = {away[0] - part * along[0], away[1] - part * along[1],
+                          away[2] - part * along[2]};
+  return dot(to_point, to_point);
 }
 
 /// Distinguishes the region above which the point lies: of a corner, of a side, or of the triangle

@@ -52,19 +52,19 @@ bool goes_through(const Corners& a, const Sides& sides, const Shared& shared, co
 }  // namespace
 
 bool intersect(const ComparedTriangle& a, const PlacedTriangle& b) {
-  Shared of_a{}, of_b{};
+  Shared shared_a{}, shared_b{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const bool is_same = a.numbers[i] == b.numbers[j];
-      of_a[i] |= is_same;
-      of_b[j] |= is_same;
+      shared_a[i] |= is_same;
+      shared_b[j] |= is_same;
     }
   const Sides sides_of_b = sides_of(b.corners, a.plane);
-  if (are_apart(sides_of_b, of_b)) return false;
+  if (are_apart(sides_of_b, shared_b)) return false;
   const Sides sides_of_a = sides_of(a.corners, TrianglePlane(b.corners));
-  if (are_apart(sides_of_a, of_a)) return false;
-  return goes_through(a.corners, sides_of_a, of_a, b.corners) ||
-         goes_through(b.corners, sides_of_b, of_b, a.corners);
+  if (are_apart(sides_of_a, shared_a)) return false;
+  return goes_through(a.corners, sides_of_a, shared_a, b.corners) ||
+         goes_through(b.corners, sides_of_b, shared_b, a.corners);
 }
 
 }  // namespace discmc::meshing

@@ -310,8 +310,8 @@ bool SurfaceBuilder::put_outer_first() {
 void SurfaceBuilder::sort_holes() {
   if (simple_rings_.size() < 3) return;
   std::sort(simple_rings_.begin() + 1, simple_rings_.end(), [this](const Span& a, const Span& b) {
-    const Ring one = simple_ring(a), other = simple_ring(b);
-    return std::lexicographical_compare(one.begin(), one.end(), other.begin(), other.end(),
+    const Ring first = simple_ring(a), second = simple_ring(b);
+    return std::lexicographical_compare(first.begin(), first.end(), second.begin(), second.end(),
                                         precedes);
   });
 }

@@ -10,16 +10,17 @@ namespace {
 // A link without direction: its ends in order, packed in a number.
 class Link {
  public:
-  Link(Vertex from, Vertex way) {
-    is_turned_ = way.z < 0 || (way.z == 0 && (way.y < 0 || (way.y == 0 && way.x < 0)));
+  Link(Vertex from, Vertex vector) {
+    is_turned_ =
+        vector.z < 0 || (vector.z == 0 && (vector.y < 0 || (vector.y == 0 && vector.x < 0)));
     if (is_turned_) {
-      from = from + way;
-      way = Vertex{} - way;
+      from = from + vector;
+      vector = Vertex{} - vector;
     }
     // Coordinates are -1 or more, and those of a vector -2 to 2.
     for (const std::int32_t part : {from.x + 1, from.y + 1, from.z + 1})
       key_ = key_ << 16 | static_cast<std::uint16_t>(part);
-    for (const std::int32_t part : {way.x + 2, way.y + 2, way.z + 2})
+    for (const std::int32_t part : {vector.x + 2, vector.y + 2, vector.z + 2})
       key_ = key_ << 3 | static_cast<std::uint64_t>(part);
   }
   explicit Link(std::uint64_t key) : key_(key) {}
@@ -27,9 +28,9 @@ class Link {
   std::uint64_t key() const { return key_; }
   bool is_turned() const { return is_turned_; }
   Vertex from() const { return {part(41, 16) - 1, part(25, 16) - 1, part(9, 16) - 1}; }
-  Vertex way() const { return {part(6, 3) - 2, part(3, 3) - 2, part(0, 3) - 2}; }
-  Link before() const { return Link(from() - way(), way()); }
-  Link after() const { return Link(from() + way(), way()); }
+  Vertex vector() const { return {part(6, 3) - 2, part(3, 3) - 2, part(0, 3) - 2}; }
+  Link before() const { return Link(from() - vector(), vector()); }
+  Link after() const { return Link(from() + vector(), vector()); }
 
  private:
   std::int32_t part(int shift, int bits) const {
@@ -85,7 +86,7 @@ bool Missing::add_open_links(const meshing::Polygons& polygons) {
     if (balance.count(first.before().key()) != 0) continue;
     Link last = first;
     while (balance.count(last.after().key()) != 0) last = last.after();
-    const Vertex end = last.from() + last.way();
+    const Vertex end = last.from() + last.vector();
     if (!is_at_border(first.from(), end)) add_line(first.from(), end);
   }
   return true;
