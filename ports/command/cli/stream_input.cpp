@@ -42,7 +42,7 @@ std::string joined(const std::vector<std::string>& list) {
 // Keeps the application records of a stream, with the placement of its volume, and passes events to
 // the next sink.
 struct RecordNotes {
-  JoinedSurface& to;
+  JoinedSurface& surface;
   std::vector<std::string> records{};
   std::optional<VolumePlacement> placement{};
   SlabRanges slabs{};
@@ -56,7 +56,7 @@ struct RecordNotes {
       SlabRange range;
       if (read_slab_range(*event.application, range)) slabs.add(range);
     }
-    return to.accept(event);
+    return surface.accept(event);
   }
 };
 

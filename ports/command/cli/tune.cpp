@@ -157,17 +157,19 @@ std::string comment_of(const Trial& trial, Wire wire, const Device& device) {
 
 // Returns the options that the printed code does not express, or an empty string.
 std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
-  std::vector<std::string> all;
+  std::vector<std::string> omissions;
   const NamedSelection& surface = arguments.selections[0];
-  if (volume.is_floating()) all.emplace_back("the threshold in the whole numbers of the device");
+  if (volume.is_floating())
+    omissions.emplace_back("the threshold in the whole numbers of the device");
   if (surface.is_label)
-    all.emplace_back("which voxels have the label");
+    omissions.emplace_back("which voxels have the label");
   else if (surface.has_upper_end())
-    all.push_back("voxels above " + value_text(surface.selection.high) + " are off");
-  if (arguments.median > 0) all.emplace_back("a MajorityFilter and its memory");
-  if (!arguments.mask.empty()) all.emplace_back("the mask");
+    omissions.push_back("voxels above " + value_text(surface.selection.high) + " are off");
+  if (arguments.median > 0) omissions.emplace_back("a MajorityFilter and its memory");
+  if (!arguments.mask.empty()) omissions.emplace_back("the mask");
   std::string text;
-  for (const std::string& each : all) text += (text.empty() ? "Not in this code: " : "; ") + each;
+  for (const std::string& each : omissions)
+    text += (text.empty() ? "Not in this code: " : "; ") + each;
   return text.empty() ? text : text + ".";
 }
 
@@ -182,11 +184,11 @@ std::string scaled_threshold_text(const VolumeBits& volume, const Selection& sel
 // Returns the comments above the code. trial: its results.
 std::vector<std::string> comments(const VolumeBits& volume, const VolumeArguments& arguments,
                                   const std::string& trial) {
-  std::vector<std::string> all{trial};
-  for (const std::string& more : {scaled_threshold_text(volume, arguments.selections[0].selection),
+  std::vector<std::string> comments{trial};
+  for (const std::string& text : {scaled_threshold_text(volume, arguments.selections[0].selection),
                                   left_out(volume, arguments)})
-    if (!more.empty()) all.push_back(more);
-  return all;
+    if (!text.empty()) comments.push_back(text);
+  return comments;
 }
 
 // Returns the user's text, after the number that a rule has found.

@@ -68,7 +68,7 @@ class Gzip : public std::streambuf {
   bool has_failed_ = false;
 };
 
-// The data goes before this script, which reads it.
+// The data is placed before this script, which reads it.
 constexpr std::string_view scripts = "<script type=\"application/base64\" id=\"module\">";
 
 // The parts of the page before and after the found text.

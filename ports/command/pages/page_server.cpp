@@ -109,9 +109,10 @@ class Server {
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
     inet_pton(AF_INET, own_address, &address.sin_addr);
-    auto* const any = reinterpret_cast<sockaddr*>(&address);
-    const bool is_bound = ::bind(listener_, any, bytes) == 0 && listen(listener_, SOMAXCONN) == 0 &&
-                          getsockname(listener_, any, &bytes) == 0;
+    auto* const generic_address = reinterpret_cast<sockaddr*>(&address);
+    const bool is_bound = ::bind(listener_, generic_address, bytes) == 0 &&
+                          listen(listener_, SOMAXCONN) == 0 &&
+                          getsockname(listener_, generic_address, &bytes) == 0;
     return is_bound ? std::optional(ntohs(address.sin_port)) : std::nullopt;
   }
 

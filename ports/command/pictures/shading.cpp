@@ -65,11 +65,11 @@ Point Shader::normal_at(double x, double y) const {
 
 Colour Shader::light(const Point& normal, bool is_inside) const {
   const double side = is_inside ? -1 : 1;
-  const Point seen = {side * dot(normal, axes_.right), side * dot(normal, axes_.upward),
-                      side * dot(normal, axes_.towards)};
-  const auto fill = static_cast<float>(0.14 + 0.08 * seen[1]);
-  const auto light = static_cast<float>(0.28 * std::max(0.0, seen[2]) +
-                                        0.74 * std::max(0.0, dot(seen, key_light_)));
+  const Point in_view = {side * dot(normal, axes_.right), side * dot(normal, axes_.upward),
+                         side * dot(normal, axes_.towards)};
+  const auto fill = static_cast<float>(0.14 + 0.08 * in_view[1]);
+  const auto light = static_cast<float>(0.28 * std::max(0.0, in_view[2]) +
+                                        0.74 * std::max(0.0, dot(in_view, key_light_)));
   const Colour tone = is_inside ? Colour{0.3f, 0.6f, 1.2f} : Colour{1, 1, 1};
   const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool light distinguishes shade from dark colours
   Colour colour{};

@@ -57,11 +57,11 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
 }
 
 double percentile(const VolumeStatistics& statistics, double percent) {
-  const double wanted = percent * static_cast<double>(statistics.numbers) / 100;
-  std::uint64_t seen = 0;
+  const double target_count = percent * static_cast<double>(statistics.numbers) / 100;
+  std::uint64_t count_below = 0;
   for (const ValueCount& each : statistics.counts) {
-    seen += each.count;
-    if (static_cast<double>(seen) >= wanted) return each.value;
+    count_below += each.count;
+    if (static_cast<double>(count_below) >= target_count) return each.value;
   }
   return statistics.greatest;
 }

@@ -82,9 +82,9 @@ Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
   trial.memory = bytes;
   const auto work = [&] {
     const Statistics statistics = extractor.statistics();
-    DeviceWork done = work_of(volume, extractor.slices(), statistics.links, encoder.bytes());
-    done.cells = statistics.cells;
-    return done;
+    DeviceWork total = work_of(volume, extractor.slices(), statistics.links, encoder.bytes());
+    total.cells = statistics.cells;
+    return total;
   };
   push_all(extractor, volume, [&](std::uint32_t) { trial.slices.push_back(work()); });
   trial.peaks = extractor.peaks();

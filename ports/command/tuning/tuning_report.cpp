@@ -20,9 +20,9 @@ double seconds(const DeviceWork& work, Wire wire, const Device& device) {
 double rows_per_second_at_worst(const Trial& trial, Wire wire, const Device& device) {
   double longest = 0;
   DeviceWork before;
-  for (const DeviceWork& done : trial.slices) {
-    longest = std::max(longest, seconds(done - before, wire, device));
-    before = done;
+  for (const DeviceWork& total : trial.slices) {
+    longest = std::max(longest, seconds(total - before, wire, device));
+    before = total;
   }
   return static_cast<double>(trial.slices.front().rows) / longest;
 }

@@ -111,19 +111,19 @@ std::size_t ByteStream::read(void* bytes, std::size_t count) {
 std::optional<std::string> ByteStream::read_line() {
   constexpr std::size_t max_header_bytes = 1U << 20;
   constexpr std::size_t step = 256;
-  std::size_t seen = ahead();
+  std::size_t available = ahead();
   std::size_t end = ahead_.find('\n', ahead_begin_);
   while (end == std::string::npos) {
-    if (position_ + seen > max_header_bytes)
+    if (position_ + available > max_header_bytes)
       fail(file_,
-           "the header has no end in its first " + std::to_string(position_ + seen) + " bytes",
+           "the header has no end in its first " + std::to_string(position_ + available) + " bytes",
            "check that the name has the right extension");
-    const std::size_t before = seen;
-    seen = peek(seen + step).size();
-    end = ahead_.find('\n', before);
-    if (seen == before) break;
+    const std::size_t searched = available;
+    available = peek(available + step).size();
+    end = ahead_.find('\n', searched);
+    if (available == searched) break;
   }
-  if (seen == 0) return std::nullopt;
+  if (available == 0) return std::nullopt;
   std::string line(std::min(end, ahead_.size()) - ahead_begin_, '\0');
   read_ahead(line.data(), line.size());
   read_ahead(nullptr, 1);

@@ -70,26 +70,27 @@ void follow(LineEvents& lines, TriggeredScan& triggered, const RowScan& scan,
 }
 
 int run(const Arguments& arguments) {
-  const ScanArguments& wanted = arguments.scan;
+  const ScanArguments& planned = arguments.scan;
   stop_signal::watch();
   const auto source = row_source(arguments);
   LineEvents lines(arguments.wiring);
-  StreamTarget target(wanted.output);
-  RowScan scan(wanted.plan, target.output());
-  TriggeredScan triggered(scan, *source, wanted.plan.row_bytes(), !arguments.wiring.button.empty());
-  if (!wanted.is_quiet) std::cerr << "discmc-gpio: ready\n";
+  StreamTarget target(planned.output);
+  RowScan scan(planned.plan, target.output());
+  TriggeredScan triggered(scan, *source, planned.plan.row_bytes(),
+                          !arguments.wiring.button.empty());
+  if (!planned.is_quiet) std::cerr << "discmc-gpio: ready\n";
   bool is_gone = false;
   try {
     follow(lines, triggered, scan, target);
     scan.finish();
   } catch (const DeviceGone& gone) {
     std::cerr << "discmc-gpio: " << gone.what() << "; the stream ends after " << scan.rows()
-              << " of " << wanted.plan.rows() << " rows; it is valid and marked as incomplete\n";
+              << " of " << planned.plan.rows() << " rows; it is valid and marked as incomplete\n";
     is_gone = true;
     scan.abandon();
   }
   target.flush();
-  if (!wanted.is_quiet) {
+  if (!planned.is_quiet) {
     triggered.report(std::cerr);
     scan.report(std::cerr);
   }

@@ -96,12 +96,12 @@ bool outlives(Step step) {
 }
 
 int run_scan(const Arguments& arguments) {
-  const ScanArguments& wanted = arguments.scan;
+  const ScanArguments& planned = arguments.scan;
   stop_signal::watch();
   HidDevice device(arguments.device);
-  Output output(wanted.output, arguments.echo);
-  RowScan scan(wanted.plan, output.byte_output());
-  RowAssembler assembler(wanted.plan.row_bytes(), wanted.plan.rows());
+  Output output(planned.output, arguments.echo);
+  RowScan scan(planned.plan, output.byte_output());
+  RowAssembler assembler(planned.plan.row_bytes(), planned.plan.rows());
 
   const bool is_scanned = outlives([&] {
     send(device, Report::Kind::start);
@@ -111,8 +111,8 @@ int run_scan(const Arguments& arguments) {
     scan.finish();
   } else {
     scan.abandon();
-    std::cerr << "discmc-hid: the stream ends after " << scan.rows() << " of " << wanted.plan.rows()
-              << " rows; it is valid and marked as incomplete\n";
+    std::cerr << "discmc-hid: the stream ends after " << scan.rows() << " of "
+              << planned.plan.rows() << " rows; it is valid and marked as incomplete\n";
   }
   output.target.flush();
   const bool is_confirmed =
@@ -122,7 +122,7 @@ int run_scan(const Arguments& arguments) {
         send(device, Report::Kind::stop);
       });
 
-  if (!wanted.is_quiet) {
+  if (!planned.is_quiet) {
     assembler.report(std::cerr);
     scan.report(std::cerr);
   }

@@ -115,7 +115,7 @@ class VolumeTurnedTo final : public VolumeFilter {
     const std::array<std::ptrdiff_t, 3> steps = {
         1, static_cast<std::ptrdiff_t>(from.dims[0]),
         static_cast<std::ptrdiff_t>(std::uint64_t{from.dims[0]} * from.dims[1])};
-    VolumePlacement to = place;
+    VolumePlacement turned_place = place;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [axis, is_reversed] = match[i];
       const double sign = is_reversed ? -1 : 1;
@@ -125,13 +125,13 @@ class VolumeTurnedTo final : public VolumeFilter {
       steps_[i] = is_reversed ? -steps[axis] : steps[axis];
       if (is_reversed) first_ += last * steps[axis];
       for (std::size_t j = 0; j < 3; ++j) {
-        to.axes_mm[i][j] = sign * place.axes_mm[axis][j];
-        if (is_reversed) to.origin_mm[j] += last * place.axes_mm[axis][j];
+        turned_place.axes_mm[i][j] = sign * place.axes_mm[axis][j];
+        if (is_reversed) turned_place.origin_mm[j] += last * place.axes_mm[axis][j];
       }
     }
     // Slice-by-slice reading never uses the step between slices.
     if (is_slice_by_slice_) steps_[2] = 0;
-    own_info().placement = to;
+    own_info().placement = turned_place;
     add_note("the axes are turned to those of the other volume");
   }
 

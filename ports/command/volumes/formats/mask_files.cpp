@@ -98,11 +98,11 @@ std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
          "there is no volume " + std::to_string(number) + ": there are " +
              std::to_string(files.size()) + " files",
          "choose one with --frame 0 to " + std::to_string(files.size() - 1));
-  VolumeOptions of_one;
-  of_one.holds_labels = options.holds_labels;
-  auto volume = open_volume(files[number], of_one);
+  VolumeOptions file_options;
+  file_options.holds_labels = options.holds_labels;
+  auto volume = open_volume(files[number], file_options);
   if (number > 0) {
-    const auto first = open_volume(files[0], of_one);
+    const auto first = open_volume(files[0], file_options);
     const AxesMatch match = matching_axes(first->info(), volume->info());
     if (!is_same(match)) volume = turned_to(match, std::move(volume), files[number]);
     require_same_place(files[number], volume->info(), files[0], first->info());

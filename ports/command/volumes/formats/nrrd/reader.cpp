@@ -159,11 +159,11 @@ ByteStream open_data(ByteStream& header, std::string_view name, const HeaderFiel
 
 // Returns the stored form: one volume, whose rows hold the adjacent samples of all volumes.
 VolumeInfo stored(const std::filesystem::path& file, const VolumeInfo& info) {
-  VolumeInfo all = of_all_components(
+  VolumeInfo stored_info = of_all_components(
       file, info, info.frames * info.channels,
       "make the first axis the last, e.g. with: unu permute -p 1 2 3 0 -i in.nrrd -o out.nrrd");
-  all.frames = 1;
-  return all;
+  stored_info.frames = 1;
+  return stored_info;
 }
 
 }  // namespace
@@ -187,11 +187,11 @@ std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& 
     fail(fields.file(), "the header has no end",
          "end it with an empty line, or name a data file in it");
   info.format = "NRRD, " + encoding_of(fields) + (name.empty() ? "" : ", detached");
-  VolumeInfo all = first_axis == SideBySide::nothing ? info : stored(fields.file(), info);
-  ByteStream data = open_data(stream, name, fields, all);
-  info.notes = all.notes;
+  VolumeInfo stored_info = first_axis == SideBySide::nothing ? info : stored(fields.file(), info);
+  ByteStream data = open_data(stream, name, fields, stored_info);
+  info.notes = stored_info.notes;
   auto volume = std::make_unique<SliceStream>(
-      std::move(all), std::move(data), is_big_endian,
+      std::move(stored_info), std::move(data), is_big_endian,
       first_axis == SideBySide::nothing ? options.frame : std::nullopt);
   if (first_axis == SideBySide::nothing) return volume;
   const auto count = static_cast<std::uint32_t>(info.frames * info.channels);

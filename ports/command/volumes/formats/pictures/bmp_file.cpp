@@ -87,10 +87,10 @@ class BmpFile final : public SinglePicture {
     std::ifstream in = opened();
     const BmpHeader bmp(file(), in);
     in.seekg(static_cast<std::streamoff>(bmp.pixels_at()));
-    const std::size_t of_row = (std::size_t{picture.width} * bmp.bits() + 31) / 32 * 4;
-    std::vector<unsigned char> row(of_row);
+    const std::size_t row_bytes = (std::size_t{picture.width} * bmp.bits() + 31) / 32 * 4;
+    std::vector<unsigned char> row(row_bytes);
     for (std::uint32_t i = 0; i < picture.height; ++i) {
-      if (!in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(of_row)))
+      if (!in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row_bytes)))
         fail(file(), "the BMP file is cut off", remedy);
       const std::size_t y = bmp.is_from_the_top() ? i : picture.height - 1 - i;
       unsigned char* const out = samples + y * picture.width;

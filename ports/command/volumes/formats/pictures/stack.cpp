@@ -33,8 +33,8 @@ bool is_set(const std::filesystem::path& source, const std::filesystem::path& fi
 // ---- pictures of one kind ----
 
 bool differ(double a, double b) {
-  constexpr double of_rounding = 1e-3;
-  return std::fabs(a - b) > of_rounding * std::fabs(a);
+  constexpr double rounding_share = 1e-3;
+  return std::fabs(a - b) > rounding_share * std::fabs(a);
 }
 
 std::string text_of(const PictureHeader& header) {

@@ -222,10 +222,10 @@ ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& fold
   image.values = declared_values(number, text_of(member(node.attributes, "_Unsigned")));
   const auto& names = image.array.axis_names;
   // In version 2, xarray uses the chunks' fill value, which is otherwise 0.
-  const Json& of_chunks = member(node.array, "fill_value");
-  if (!image.values.fill && !names.empty() && of_chunks.is_number() && of_chunks != 0 &&
+  const Json& chunk_fill = member(node.array, "fill_value");
+  if (!image.values.fill && !names.empty() && chunk_fill.is_number() && chunk_fill != 0 &&
       member(node.array, "zarr_format") == 2)
-    image.values.fill = of_chunks.get<double>();
+    image.values.fill = chunk_fill.get<double>();
   for (const std::string& name : names)
     if (const char letter = axis_letter(name); letter != '?') image.axes.push_back({letter});
   if (image.axes.size() != image.array.sizes.size()) image.axes.clear();

@@ -74,12 +74,12 @@ class ZarrVolume final : public NumberedSlices {
     const std::uint64_t rows = std::min(chunk_size(1), info().dims[1] - y);
     for (std::uint64_t z = 0; z < count_; ++z)
       for (std::uint64_t row = 0; row < rows; ++row) {
-        const std::uint64_t to = ((z * info().dims[1] + y + row) * info().dims[0] + x) * size;
+        const std::uint64_t offset = ((z * info().dims[1] + y + row) * info().dims[0] + x) * size;
         if (samples)
-          copy_row(*samples, first_ % chunk_size(2) + z, row, columns, &slices_[to]);
+          copy_row(*samples, first_ % chunk_size(2) + z, row, columns, &slices_[offset]);
         else
           for (std::uint64_t i = 0; i < columns; ++i)
-            std::memcpy(&slices_[to + i * size], chunks_.array().fill.data(), size);
+            std::memcpy(&slices_[offset + i * size], chunks_.array().fill.data(), size);
       }
   }
 

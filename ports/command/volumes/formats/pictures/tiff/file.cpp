@@ -122,15 +122,15 @@ class TiffFile final : public PictureFile {
 
   // Selects the directory of a page.
   TiffPage go_to(std::uint32_t number) {
-    const std::uint32_t wanted = is_behind(number) ? 0 : number / depth_;
+    const std::uint32_t directory = is_behind(number) ? 0 : number / depth_;
     constexpr std::uint32_t near = 64;
     std::uint32_t current = TIFFCurrentDirectory(tiff_.get());
-    if (wanted < current || wanted - current > near) {
-      if (TIFFSetDirectory(tiff_.get(), static_cast<tdir_t>(wanted)) == 0) fail_page(wanted);
-      current = wanted;
+    if (directory < current || directory - current > near) {
+      if (TIFFSetDirectory(tiff_.get(), static_cast<tdir_t>(directory)) == 0) fail_page(directory);
+      current = directory;
     }
-    for (; current < wanted; ++current)
-      if (TIFFReadDirectory(tiff_.get()) == 0) fail_page(wanted);
+    for (; current < directory; ++current)
+      if (TIFFReadDirectory(tiff_.get()) == 0) fail_page(directory);
     const TiffPage page = page_of(tiff_.get());
     if (page.photometric == PHOTOMETRIC_YCBCR && page.compression == COMPRESSION_JPEG)
       TIFFSetField(tiff_.get(), TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);

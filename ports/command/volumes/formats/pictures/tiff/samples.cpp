@@ -26,10 +26,10 @@ void convert(const TiffPage& page, std::uint32_t channel, unsigned char* stored,
              unsigned char* samples) {
   const std::size_t pixels = std::size_t{page.width} * page.height;
   if (page.bits % 8 != 0) {
-    const std::size_t of_row = page.width * sample_bytes(*sample_type(page));
+    const std::size_t unpacked_row_bytes = page.width * sample_bytes(*sample_type(page));
     for (std::size_t y = 0; y < page.height; ++y)
       unpack_bits(stored + y * page.row_bytes(page.width), page.width, page.bits,
-                  samples + y * of_row);
+                  samples + y * unpacked_row_bytes);
     return;
   }
   unsigned char* const channel_samples = is_half(page) ? stored : samples;
