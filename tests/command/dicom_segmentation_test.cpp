@@ -223,7 +223,7 @@ TEST_CASE_FIXTURE(
   CHECK(read_all(*reader) == slices_of({expected}));
 }
 
-TEST_CASE_FIXTURE(Dicom, "a DICOM label map is read unchanged, with or without a palette") {
+TEST_CASE_FIXTURE(Dicom, "a DICOM label map with a palette is read unchanged") {
   Voxels labels = box(0, 3, 0, 3, 1);
   labels[20] = 2;
   Dataset data =

@@ -114,7 +114,7 @@ TEST_CASE_FIXTURE(
   CHECK(temporary.folders_of_zips() == 0);
 }
 
-TEST_CASE("errors in a zip name the archive, and the member at fault") {
+TEST_CASE("errors in a zip name the archive") {
   Members members = members_of(files / "dicom/series", "series/");
   REQUIRE(members.size() == 5);
   Members fewer = members;

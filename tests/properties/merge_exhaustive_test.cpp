@@ -128,15 +128,15 @@ TEST_CASE("every block of two cells is swept as in the paper") {
   check_all({3, 2, 2}, 3);
 }
 
-TEST_CASE("every block of 2 x 3 x 3 voxels is swept as in the paper") {
+TEST_CASE("blocks of 2 x 3 x 3 voxels are swept as in the paper") {
   check_all({2, 3, 3}, 101, step(37));
 }
 
-TEST_CASE("every block of 3 x 2 x 3 voxels is swept as in the paper") {
+TEST_CASE("blocks of 3 x 2 x 3 voxels are swept as in the paper") {
   check_all({3, 2, 3}, 101, step(37));
 }
 
-TEST_CASE("every block of 3 x 3 x 2 voxels is swept as in the paper") {
+TEST_CASE("blocks of 3 x 3 x 2 voxels are swept as in the paper") {
   check_all({3, 3, 2}, 101, step(37));
 }
 

@@ -49,7 +49,8 @@ constexpr double border_weight = 100;
 constexpr double towards_middle = 1e-3;  // of the quadric's mean curvature
 constexpr double min_area = 1e-4;        // of a volume constraint, relative to the area around
 constexpr double max_move = 1;           // from the middle of an edge; Units: its length
-constexpr double shape = 1e-6, in_plane = 1e-9;  // prefer short edges if costs are equal
+constexpr double shape_weight = 1e-6,
+                 in_plane_weight = 1e-9;  // prefer short edges if costs are equal
 
 }  // namespace
 
@@ -123,8 +124,8 @@ std::optional<EdgePlacing::PlacedVertex> EdgePlacing::placed(std::uint32_t a,
   }
   const Point place = rounded(plus(middle, x));
   return PlacedVertex{place, error(difference(place, middle)) +
-                                 shape * squared_length * squared_length +
-                                 in_plane * squared_length * area};
+                                 shape_weight * squared_length * squared_length +
+                                 in_plane_weight * squared_length * area};
 }
 
 }  // namespace discmc::meshing

@@ -185,11 +185,12 @@ class VolumeKeeper {
 
   void move_crossings(const Piece& piece) {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
-    for (const Piece::Edge& edge : piece.edges) crossings.move(edge.crossing_id, at(piece, edge));
+    for (const Piece::Edge& edge : piece.edges)
+      crossings.move(edge.crossing_id, position_of(piece, edge));
   }
 
   // Returns a crossing, like Crossings::at(), with the current shifts.
-  float at(const Piece& piece, const Piece::Edge& edge) const {
+  float position_of(const Piece& piece, const Piece::Edge& edge) const {
     const auto min_distance = static_cast<float>(keeping_.min_distance_mm);
     const double neighbour_shift =
         edge.neighbour == no_piece ? 0 : pieces_[edge.neighbour].shift_mm;
@@ -260,13 +261,14 @@ class VolumeKeeper {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
     const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
     for (const Piece::Edge& edge : piece.centroid_crossings)
-      crossings.move(edge.crossing_id, at(piece, edge));
+      crossings.move(edge.crossing_id, position_of(piece, edge));
     std::vector<Point> from_apex;
     from_apex.reserve(piece.corners.size());
     for (const auto& [lattice, is_crossing, edge] : piece.corners)
       from_apex.push_back(in_mm(
-          is_crossing ? Crossings::interpolated(lattice, edge.crossing_id.axis, at(piece, edge))
-                      : crossings.interpolated(lattice),
+          is_crossing
+              ? Crossings::interpolated(lattice, edge.crossing_id.axis, position_of(piece, edge))
+              : crossings.interpolated(lattice),
           spacing));
     const Point apex = from_apex[0];  // near, to keep rounding small
     for (Point& corner : from_apex) corner = difference(corner, apex);

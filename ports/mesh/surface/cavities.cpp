@@ -13,7 +13,7 @@ namespace discmc::meshing {
 namespace {
 
 // A ray leaves a point of a component along x. A body lies in a cavity if the ray leaves cavities
-// more often than it entry_sign them. The same holds for a cavity in a body.
+// more often than it enters them. The same holds for a cavity in a body.
 //
 // All coordinates are doubled, and a ray lies slightly beyond its integers: more along x than along
 // y, and more along y than z. So the ray meets no vertex and no side.

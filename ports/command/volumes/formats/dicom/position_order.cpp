@@ -82,7 +82,7 @@ Vector rounding_of(const Frames& stack) {
   return rounding;
 }
 
-double along_normal_of(const Frames& stack, const Vector& rounding) {
+double rounding_along_normal(const Frames& stack, const Vector& rounding) {
   const Vector normal = normal_of(*stack[0].place);
   double rounding_along = 0;
   for (std::size_t i = 0; i < 3; ++i) rounding_along += std::fabs(normal[i]) * rounding[i];
@@ -107,7 +107,7 @@ std::optional<EvenSlices> rounded_slices(const std::vector<double>& along, doubl
 EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack,
                        const std::vector<double>& along) {
   OddDistance odd;
-  const double rounding = along_normal_of(stack, rounding_of(stack));
+  const double rounding = rounding_along_normal(stack, rounding_of(stack));
   auto slices = slices_by_distances(along, same_distance, odd);
   if (!slices) {
     slices = rounded_slices(along, std::fabs(stack[0].slice_spacing_mm), rounding);
