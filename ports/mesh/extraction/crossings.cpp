@@ -44,9 +44,9 @@ Vertex corner_at(const Vertex& centroid, unsigned corner) {
 }  // namespace
 
 // Finds the crossings, one axis after another.
-class Crossings::OfPolygons {
+class Crossings::PolygonFinder {
  public:
-  OfPolygons(Crossings& crossings, const Polygons& polygons)
+  PolygonFinder(Crossings& crossings, const Polygons& polygons)
       : crossings_(crossings), polygons_(polygons) {}
 
   void find(std::size_t axis) {
@@ -145,8 +145,8 @@ Crossings::Crossings(const std::array<std::uint32_t, 3>& dims, const Polygons& p
   if (std::uint64_t{dims_[1]} * dims_[2] > max_rows)
     throw std::length_error("the surface spans more than " + std::to_string(max_rows) +
                             " rows of voxels; extract a part, or shrink the volume");
-  OfPolygons of_polygons(*this, polygons);
-  for (std::size_t axis = 0; axis < 3; ++axis) of_polygons.find(axis);
+  PolygonFinder finder(*this, polygons);
+  for (std::size_t axis = 0; axis < 3; ++axis) finder.find(axis);
 }
 
 bool Crossings::is_inside(const Vertex& voxel) const {
@@ -260,9 +260,10 @@ class CrossingFinder::Slices {
 };
 
 template <class Sample>
-class CrossingFinder::SlicesOf final : public Slices {
+class CrossingFinder::TypedSlices final : public Slices {
  public:
-  SlicesOf(const SampleGrid& info, const Selection& selection, const Vertex& first, bool keeps_ends)
+  TypedSlices(const SampleGrid& info, const Selection& selection, const Vertex& first,
+              bool keeps_ends)
       : Slices(info, first),
         keeps_ends_(keeps_ends),
         selector_(info, selection),
@@ -373,7 +374,7 @@ class CrossingFinder::SlicesOf final : public Slices {
 CrossingFinder::CrossingFinder(const SampleGrid& info, const Selection& selection,
                                const Vertex& first, bool keeps_ends)
     : slices_(with_sample_type(info.type, [&](auto type) -> std::unique_ptr<Slices> {
-        return std::make_unique<SlicesOf<decltype(type)>>(info, selection, first, keeps_ends);
+        return std::make_unique<TypedSlices<decltype(type)>>(info, selection, first, keeps_ends);
       })) {}
 
 CrossingFinder::CrossingFinder(CrossingFinder&&) noexcept = default;

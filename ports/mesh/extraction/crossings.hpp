@@ -128,7 +128,7 @@ class Crossings {
     std::vector<Ends> ends{};  // one per crossing, or empty
   };
 
-  class OfPolygons;
+  class PolygonFinder;
 
   Vertex middle_of(std::size_t axis, std::size_t row, std::uint32_t x) const;
   Point in_volume(const Vertex& vertex) const;
@@ -164,7 +164,7 @@ class CrossingFinder {
  private:
   class Slices;
   template <class Sample>
-  class SlicesOf;
+  class TypedSlices;
   std::unique_ptr<Slices> slices_;
 };
 
