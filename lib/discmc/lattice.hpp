@@ -50,8 +50,12 @@ constexpr void translate(Vertex& v, const Vertex& step, uint32_t times) {
   add(v.y, step.y);
   add(v.z, step.z);
 }
+/// The result wraps, as coordinates may be near their limits.
 constexpr int32_t dot_product(const Vertex& a, const Vertex& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  const auto product = [](int32_t one, int32_t other) {
+    return static_cast<uint32_t>(one) * static_cast<uint32_t>(other);
+  };
+  return static_cast<int32_t>(product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z));
 }
 constexpr Vertex cross(const Vertex& a, const Vertex& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

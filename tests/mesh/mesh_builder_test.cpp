@@ -43,6 +43,18 @@ TEST_CASE("a builder without slices yields an empty mesh") {
   CHECK(MeshBuilder(4, 5, 1).finish().triangles.empty());
 }
 
+TEST_CASE("a builder refuses more slices than a scan can have, and keeps the surface so far") {
+  constexpr int most = 32760;
+  MeshBuilder builder(1, 1, 1);
+  const std::uint8_t on = 1;
+  for (int z = 0; z < most; ++z) builder.add_slice(&on);
+  CHECK_THROWS_WITH_AS(builder.add_slice(&on), doctest::Contains("at most 32760 slices"),
+                       std::length_error);
+  const MeshMeasures measures = measures_of(builder.finish());
+  CHECK(measures.is_closed);
+  CHECK(measures.greatest[2] == most - 0.5);
+}
+
 TEST_CASE("a finished or moved-from builder refuses every call") {
   const std::vector<float> slice(20);
   MeshBuilder builder(4, 5, 1);

@@ -39,6 +39,26 @@ TEST_CASE_TEMPLATE("equal samples of every type yield the same triangles", Sampl
   CHECK(measures_of(mesh).volume == doctest::Approx(measures_of(of_whole).volume));
 }
 
+TEST_CASE("a volume may have more slices than a scan on a PC") {
+  // A column, and a voxel beside it at either end.
+  const auto measured = [](std::int64_t depth, unsigned threads) {
+    std::vector<std::uint8_t> samples(static_cast<std::size_t>(2 * depth));
+    for (std::size_t i = 0; i < samples.size(); i += 2) samples[i] = 1;
+    samples[1] = samples.back() = 1;
+    MeshOptions options;
+    options.threads = threads;
+    return measures_of(mesh_of(samples, {2, 1, depth}, 1, options));
+  };
+  const MeshMeasures low = measured(100, 1), high = measured(200, 1);
+  constexpr std::int64_t depth = 33000;
+  for (const unsigned threads : {1U, 2U}) {
+    const MeshMeasures deep = measured(depth, threads);
+    CHECK(deep.is_closed);
+    CHECK(deep.greatest[2] == depth - 0.5);
+    CHECK(deep.volume == doctest::Approx(low.volume + (high.volume - low.volume) * 329));
+  }
+}
+
 TEST_CASE("every test volume has a closed mesh with outward triangles") {
   for (const auto& array : bit_volumes()) {
     const Mesh mesh = mesh_of(array.view(), 1);

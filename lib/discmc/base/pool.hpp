@@ -51,14 +51,7 @@ class SlotAccount {
   }
 
  protected:
-  Index allocate_fresh(uint32_t count, uint32_t slot_bytes) {
-    if (count > available_ || count > capacity_ - fresh_) return no_slot;
-    const auto first = static_cast<Index>(fresh_ + 1);
-    available_ -= count;
-    fresh_ += count;
-    unpoison(&next(first, slot_bytes), size_t{count} * slot_bytes);
-    return first;
-  }
+  void add_available(uint32_t count) { available_ += count; }
 
   Index allocate(uint32_t slot_bytes) {
     if (available_ == 0) return no_slot;
@@ -113,6 +106,12 @@ class Pool : public SlotAccount<Index> {
     this->capacity_ = capacity;
   }
 
+  /// Continues in a larger array, to which the caller has copied the slots up to peak().
+  void move_to(Slot* slots, uint32_t capacity) {
+    this->add_available(capacity - this->capacity_);
+    start(slots, capacity);
+  }
+
   /// Frees all slots, and resets the peak.
   DISCMC_ALWAYS_INLINE void clear() {
     SlotAccount<Index>::clear();
@@ -122,11 +121,6 @@ class Pool : public SlotAccount<Index> {
 
   /// Returns a slot with undefined members, or no_slot if all are in use.
   Index allocate() { return SlotAccount<Index>::allocate(sizeof(Slot)); }
-  /// Returns the first of this many adjacent slots that were never used, or no_slot if there are
-  /// not enough. Free each slot separately.
-  Index allocate_fresh(uint32_t count) {
-    return SlotAccount<Index>::allocate_fresh(count, sizeof(Slot));
-  }
   /// Frees a slot. Limit: it is in use.
   void release(Index index) { SlotAccount<Index>::release(index, sizeof(Slot)); }
 

@@ -26,6 +26,14 @@ constexpr ProjectedPoint projected(Incidence incidence, const Vertex& p) {
   return {p.y, p.z};
 }
 
+/// Widens a box so that it contains a point.
+constexpr void widen(ProjectedPoint& low, ProjectedPoint& high, const ProjectedPoint& point) {
+  if (point.u < low.u) low.u = point.u;
+  if (point.v < low.v) low.v = point.v;
+  if (point.u > high.u) high.u = point.u;
+  if (point.v > high.v) high.v = point.v;
+}
+
 /// A point of the region that a ring bounds. It lies close to the middle of the ring's first link
 /// and to the left of the link, for outer rings and holes alike. No ring of a surface passes
 /// through this point. Units: eighths of a half-step.

@@ -16,8 +16,6 @@ class DerivedPasses {
     word_ = 0;
     crossings_ = {};
   }
-  /// Begins in a word of a row. Limit: after clear().
-  void continue_from(uint32_t word) { word_ = word; }
 
   /// Finds the next vertex of a row that has passes, and counts the cells on the way. Returns false
   /// after the last vertex; the next call begins a row.

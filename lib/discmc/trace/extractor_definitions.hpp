@@ -99,6 +99,8 @@ Status BasicExtractor<Index, Intake, Sweep>::ready_for_samples() {
   if (!work()) return Status::suspended;
   const uint32_t context = continues_below() ? 1 : 0;
   if (slices() >= Limits::max_slices - first_slice() + context) return Status::too_many_slices;
+  if constexpr (Sweep::max_slices < Limits::max_slices)
+    if (slices() >= Sweep::max_slices) return Status::too_many_slices;
   return Status::ok;
 }
 

@@ -127,27 +127,10 @@ class Fragments {
   /// process().
   void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
-  /// Moves a vertex by a link.
-  static void follow(Vertex& vertex, Link link) { translate(vertex, link, 1); }
-  /// Returns the vertex that a chain reaches next.
-  static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
-    Vertex next = vertex;
-    if (pass.has_centroid()) follow(next, pass.outgoing);
-    follow(next, pass.after_centroid);
-    return next;
-  }
-
   /// Sets whether chains from below belong to another slab.
   void set_below_is_lost(bool is_lost) {
     queues_.lose_from(is_lost ? first_rising_queue : queue_count);
   }
-
-  /// Appends an end, waiting or lost, to its queue.
-  void push(uint8_t queue, Index end) { queues_.push(slots_, queue, end); }
-  void push_lost(uint8_t queue) { queues_.push_lost(slots_, queue); }
-  /// Makes the two ends mates and stores the runs in both. If neither is loose, only the tail's
-  /// copy stays valid.
-  void connect(Index begin, Index tail, Index list);
 
   bool has_outgoing() const { return outgoing_.kind != Outgoing<Index>::Kind::none; }
   /// Returns the outgoing chain. After delivery, the caller sets its kind to none.
@@ -172,6 +155,14 @@ class Fragments {
   EndSlot& end(Index index) { return slots_[index].end; }
   static Direction direction(const Pass& pass, Link link) {
     return discmc::direction_of(pass.incidence, link);
+  }
+  static void follow(Vertex& vertex, Link link) { translate(vertex, link, 1); }
+  // Returns the vertex that a chain reaches next.
+  static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
+    Vertex next = vertex;
+    if (pass.has_centroid()) follow(next, pass.outgoing);
+    follow(next, pass.after_centroid);
+    return next;
   }
   // Returns the beginning of the side along which a chain leaves.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
@@ -204,6 +195,12 @@ class Fragments {
   void join(const Pass& pass, const Vertex& vertex, Index tail, Index begin);
 
   Index pop(uint8_t queue) { return queues_.pop(slots_, queue); }
+  // Appends an end, waiting or lost, to its queue.
+  void push(uint8_t queue, Index end) { queues_.push(slots_, queue, end); }
+  void push_lost(uint8_t queue) { queues_.push_lost(slots_, queue); }
+  // Makes the two ends mates and stores the runs in both. If neither is loose, only the tail's copy
+  // stays valid.
+  void connect(Index begin, Index tail, Index list);
   // Whether an end may wait.
   bool admits(uint8_t queue, Index mate) const {
     return spare() >= spare_for_all_ends_ || spare() >= min_spare(queue, mate);

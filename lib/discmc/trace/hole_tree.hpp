@@ -36,9 +36,12 @@ class Holes<uint32_t, Normal> {
     if (++count_ > peak_) peak_ = count_;
   }
 
-  /// Whether there are holes on the plane of a vertex. Cost: a look-up in a tree.
-  bool has_any(Slots& slots, Incidence incidence, const Vertex& at) const {
-    return waiting_.any_on_plane(Nodes{slots}, incidence, at) != no_slot;
+  /// Whether there are holes on the plane of a vertex, between two corners of a box. Units:
+  /// half-steps. Cost: a look-up in a tree per line with holes.
+  bool has_any(Slots& slots, Incidence incidence, const Vertex& at, const ProjectedPoint& low,
+               const ProjectedPoint& high) const {
+    return waiting_.has_any(Nodes{slots}, incidence, at, {8 * low.u, 8 * low.v},
+                            {8 * high.u, 8 * high.v});
   }
 
   /// Marks the holes inside a ring, or all holes on the plane of a fragment. Returns their number.
@@ -163,17 +166,10 @@ uint32_t Holes<uint32_t, Normal>::mark_inside(Slots& slots, const Ring& ring) {
 // Whether there are holes in the box around a ring; most rings have none.
 template <class Normal>
 bool Holes<uint32_t, Normal>::may_surround_any(Slots& slots, const Ring& ring) const {
-  if (!has_any(slots, ring.incidence, ring.start)) return false;
   ProjectedPoint low = projected(ring.incidence, ring.start), high = low;
-  for_each_side(slots, ring, [&](const Vertex& at, Run) {
-    const ProjectedPoint point = projected(ring.incidence, at);
-    if (point.u < low.u) low.u = point.u;
-    if (point.v < low.v) low.v = point.v;
-    if (point.u > high.u) high.u = point.u;
-    if (point.v > high.v) high.v = point.v;
-  });
-  return waiting_.has_any(Nodes{slots}, ring.incidence, ring.start, {8 * low.u, 8 * low.v},
-                          {8 * high.u, 8 * high.v});
+  for_each_side(slots, ring,
+                [&](const Vertex& at, Run) { widen(low, high, projected(ring.incidence, at)); });
+  return has_any(slots, ring.incidence, ring.start, low, high);
 }
 
 }  // namespace discmc::detail::trace

@@ -13,6 +13,7 @@ template <class Index, class Normal, bool lean = false>
 class Sweep {
  public:
   static constexpr bool is_lean = lean;
+  static constexpr uint32_t max_slices = Limits::max_slices;
 
   /// Allocates its part of the arena, and writes nothing there; clear() does. The slots come last,
   /// so that slots that were never used are behind all others.
@@ -47,7 +48,7 @@ class Sweep {
     return delivery_.deliver_remaining_holes(fragments_, sink, statistics);
   }
 
- protected:
+ private:
   template <class Intake>
   bool process_passes(const SweptRow& row, const Intake& intake, const Sink& sink,
                       Statistics& statistics);

@@ -1,6 +1,7 @@
 // Extracts a volume with the extractor of a host or of a device.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct ExtractionOptions : SurfaceOptions {
   /// Whether the events contain gradient normals. The arena then also holds four slices.
   /// Limit: samples of a type with is_scanner_type(), selections without an upper end.
   bool normals = false;
+  /// The arena. 0: a generous one. Units: bytes.
+  std::uint64_t memory = 0;
   /// Replaces `memory`: the arena is large enough for these capacities.
   std::optional<Capacities> capacities{};
   /// Whether memory is used as on a device, so that its measurements apply to a device. `memory`,

@@ -13,7 +13,8 @@
 // MeshReceiver the bytes of a device. Link discmc::mesh. In C: discmc/mesh.h.
 //
 // Errors: std::invalid_argument names the value and the remedy; std::length_error: more than 2^32
-// corners; Cancelled: MeshOptions::progress returned false; what a callback throws.
+// corners, or more than 32,760 slices of a MeshBuilder or a label; Cancelled: MeshOptions::progress
+// returned false; what a callback throws.
 #ifndef DISCMC_MESH_HPP
 #define DISCMC_MESH_HPP
 

@@ -31,8 +31,20 @@ struct ArenaSize {
   Capacities capacities;
 };
 
-/// Returns the memory of a scan on a PC.
-inline ArenaSize generous_arena(const Limits& limits) {
+/// Returns the memory of a scan on a PC, enough for slices of any kind. Unused pages cost nothing.
+/// Units: bytes.
+template <class Normals = BitIntake>
+std::uint64_t generous_bytes_for(const Limits& limits) {
+  constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
+  return std::max(generous_bytes,
+                  2 * detail::sizing::minimum_bytes<std::uint32_t, Normals>(limits));
+}
+
+/// Returns the memory of an extractor of the given type: for a HostExtractor that of its rows.
+template <class AnyExtractor>
+ArenaSize arena_of(const Limits& limits) {
+  if (std::is_same_v<AnyExtractor, HostExtractor>)
+    return {false, detail::sizing::minimum_bytes<std::uint32_t>(limits), minimum_capacities()};
   const std::uint64_t bytes = generous_bytes_for(limits);
   return {false, bytes, Extractor32::default_capacities(limits, bytes)};
 }
@@ -100,23 +112,6 @@ class Extractors {
     require(group.finish());
     if (options.slices != nullptr) require(options.slices->finish());
     return results(info, spans, bits);
-  }
-
-  const ArenaSize& arena() const { return arena_; }
-
-  /// Whether memory surely sufficed, so that no fragment was sent early. Limit: a sink that accepts
-  /// fragments.
-  bool had_enough_memory() const {
-    // The reserve exceeds what any extractor withholds. Without nodes, other pieces leave at seams.
-    constexpr std::uint64_t reserve = 4096;
-    if (std::is_same_v<AnyExtractor, HostExtractor> &&
-        arena_.capacities.slots < host::Chains::min_slots)
-      return false;
-    return std::all_of(extractors_.begin(), extractors_.end(), [this](const AnyExtractor& each) {
-      const Peaks peaks = each.peaks();
-      return peaks.slots + reserve <= arena_.capacities.slots &&
-             peaks.holes < arena_.capacities.holes;
-    });
   }
 
  private:

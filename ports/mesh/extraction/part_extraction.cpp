@@ -249,7 +249,7 @@ class PartExtraction {
   std::vector<Extraction> extract() {
     run_in_order<Part>(
         *options_.jobs, spans_.size(), [this](std::size_t i, Part& part) { read(i, part); },
-        [this](std::size_t, Part& part) { extract_with_enough_memory(part); },
+        [this](std::size_t, Part& part) { extract(part); },
         [this](std::size_t, Part& part) { deliver(part); });
     for (std::size_t i = 0; i < requests_.size(); ++i) finish(*joiners_[i], sums_[i].statistics);
     return sums_;
@@ -262,24 +262,11 @@ class PartExtraction {
     reader_.read(part);
   }
 
-  // With little memory, some pieces are sent loose although they cross no seam. They would have to
-  // be joined before the whole regions.
-  void extract_with_enough_memory(Part& part) {
+  void extract(Part& part) {
     std::unique_ptr<PartExtractors> extractors = idle_.acquire();
-    if (!extractors) extractors = new_extractors(first_arena_bytes());
-    for (;;) {
-      extract(part, *extractors);
-      if (extractors->had_enough_memory()) break;
-      extractors = new_extractors(4 * extractors->arena().bytes);
-    }
-    idle_.release(std::move(extractors));
-  }
-
-  std::unique_ptr<PartExtractors> new_extractors(std::uint64_t arena_bytes) const {
-    return std::make_unique<PartExtractors>(arena_of(arena_bytes), requests_.size());
-  }
-
-  void extract(Part& part, PartExtractors& extractors) const {
+    if (!extractors)
+      extractors = std::make_unique<PartExtractors>(arena_of<HostExtractor>(volume_limits()),
+                                                    requests_.size());
     Limits limits = volume_limits();
     const SlabRange slab{part.spans.own.first, part.spans.own.count(), info_.dims[2]};
     limits.slab = slab_limits(slab, info_.dims[2]);
@@ -292,10 +279,11 @@ class PartExtraction {
       requests[i].crossings = nullptr;  // the reader adds the slices
     }
     std::uint32_t next = part.spans.read.first;
-    part.extractions = extractors.extract(info_, limits, part.spans, options_, requests, [&] {
+    part.extractions = extractors->extract(info_, limits, part.spans, options_, requests, [&] {
       const std::uint32_t z = next++;
       return SliceToExtract{part.samples_of(z), part.mask_of(z)};
     });
+    idle_.release(std::move(extractors));
   }
 
   void deliver(Part& part) {
@@ -341,12 +329,6 @@ class PartExtraction {
   }
 
   Limits volume_limits() const { return {info_.dims[0], info_.dims[1], options_.border}; }
-  std::uint64_t first_arena_bytes() const {
-    return options_.memory > 0 ? options_.memory : generous_bytes_for(volume_limits());
-  }
-  ArenaSize arena_of(std::uint64_t bytes) const {
-    return {false, bytes, Extractor32::default_capacities(volume_limits(), bytes)};
-  }
 
   SampleGrid info_;
   SurfaceOptions options_;

@@ -8,9 +8,14 @@
 namespace discmc::meshing {
 namespace {
 
+bool is_deep(const SampleGrid& info) {
+  return info.dims[2] > host::CornerCode::max_slices;
+}
+
 // A single sweep is fastest for one job. Streams and the seams of slabs depend on the parts.
-bool is_for_parts(const SurfaceOptions& options, const std::vector<SurfaceRequest>& surfaces) {
-  return *options.jobs > 1 || options.memory > 0 || options.slab.has_value() ||
+bool is_for_parts(const SampleGrid& info, const SurfaceOptions& options,
+                  const std::vector<SurfaceRequest>& surfaces) {
+  return *options.jobs > 1 || options.slab.has_value() || is_deep(info) ||
          std::any_of(surfaces.begin(), surfaces.end(),
                      [](const SurfaceRequest& each) { return each.encoder != nullptr; });
 }
@@ -19,10 +24,14 @@ bool is_for_parts(const SurfaceOptions& options, const std::vector<SurfaceReques
 
 std::vector<Extraction> extract_surfaces(SliceReader& volume, const SurfaceOptions& options,
                                          const std::vector<SurfaceRequest>& surfaces) {
-  if (options.jobs && is_for_parts(options, surfaces))
+  const SampleGrid& info = volume.info();
+  if (options.jobs && is_for_parts(info, options, surfaces))
     return extract_in_parts(volume, options, surfaces);
-  const Limits limits = limits_of(volume.info(), options);
-  return extract_by<HostExtractor>(volume, limits, options, generous_arena(limits), surfaces);
+  const Limits limits = limits_of(info, options);
+  return is_deep(info) ? extract_by<Extractor32>(volume, limits, options,
+                                                 arena_of<Extractor32>(limits), surfaces)
+                       : extract_by<HostExtractor>(volume, limits, options,
+                                                   arena_of<HostExtractor>(limits), surfaces);
 }
 
 }  // namespace discmc::meshing

@@ -37,8 +37,6 @@ struct SurfaceOptions {
   /// If set, extracts the volume in parts, this many in parallel. One job may use one sweep, if the
   /// result is equal. Limit: not with slices.
   std::optional<unsigned> jobs{};
-  /// The first arena of a part, which grows if needed. 0: a generous one. Units: bytes.
-  std::uint64_t memory = 0;
 };
 
 /// The use of an arena by a scan.

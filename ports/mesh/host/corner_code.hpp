@@ -12,9 +12,9 @@ namespace discmc::host {
 /// its code.
 class CornerCode {
  public:
-  /// The largest number of slices. A code also has room for the slice before the first. Behind the
-  /// last it has room for centroids, and for the slice above a slab.
-  static constexpr int32_t max_slices = 32760;
+  /// The largest number of slices of a scan, with context slices. A code also has room for the
+  /// slice before the first. Behind the last it has room for centroids.
+  static constexpr uint32_t max_slices = 32760;
   static_assert(2 * (max_slices + 2) < 1 << 16 && 2 * Limits::max_extent + 1 < 1 << 16,
                 "each coordinate and one has 16 bits");
   /// Replaces a link beyond the seam of a slab.
@@ -32,6 +32,7 @@ class CornerCode {
     const auto part = [](int32_t coordinate) { return static_cast<uint64_t>(int64_t{coordinate}); };
     return (part(v.x) << 16) + (part(v.y) << 32) + (part(v.z) << 48);
   }
+  static constexpr uint32_t position_shift = 16;
   static constexpr uint64_t position(const Vertex& v) {
     return vector({v.x + 1, v.y + 1, v.z + 1});
   }
@@ -51,23 +52,26 @@ class CornerCode {
   uint64_t bits_;
 };
 
-/// The means to count links between two corners. The bits from `shift` on hold a coordinate that
-/// changes; all higher bits are equal. A link changes the coordinate by 1 << halvings.
+/// The means to count links between two corners. The difference of their positions is a multiple of
+/// an odd number, shifted by some bits. It is divided exactly by a multiplication with the inverse
+/// modulo 2^64 (H. Warren, Hacker's Delight, section 10-15).
 struct LinkMeasure {
-  uint8_t shift;
-  uint8_t halvings;
+  uint64_t inverse;
+  uint32_t shift;
 };
 struct LinkMeasures {
-  LinkMeasure by_link[link_codes];
+  LinkMeasure by_link[1 << 5];
 };
 namespace derive {
 constexpr LinkMeasures link_measures() {
   LinkMeasures measures{};
   for (Link link = 0; link < link_codes; ++link) {
-    const Vertex v = link_vector(link);
-    const int32_t change = v.z != 0 ? v.z : v.y != 0 ? v.y : v.x;
-    measures.by_link[link].shift = v.z != 0 ? 48 : v.y != 0 ? 32 : 16;
-    measures.by_link[link].halvings = change == 2 || change == -2 ? 1 : 0;
+    uint64_t odd = CornerCode::vector(link_vector(link));
+    LinkMeasure& measure = measures.by_link[link];
+    for (; (odd & 1) == 0; odd >>= 1) ++measure.shift;
+    // Each step doubles the number of right bits; three are right at first.
+    measure.inverse = odd;
+    for (int bits = 3; bits < 64; bits *= 2) measure.inverse *= 2 - odd * measure.inverse;
   }
   return measures;
 }
@@ -76,10 +80,10 @@ inline constexpr LinkMeasures link_measures = derive::link_measures();
 
 /// Returns the number of links from a corner straight to the next.
 inline uint32_t links_between(CornerCode from, CornerCode to) {
-  const LinkMeasure measure = link_measures.by_link[from.onwards()];
-  const auto difference = static_cast<int32_t>(static_cast<uint32_t>(to.bits() >> measure.shift) -
-                                               static_cast<uint32_t>(from.bits() >> measure.shift));
-  return static_cast<uint32_t>(difference < 0 ? -difference : difference) >> measure.halvings;
+  constexpr uint64_t position = ~((uint64_t{1} << CornerCode::position_shift) - 1);
+  const LinkMeasure& measure = link_measures.by_link[from.onwards()];
+  const uint64_t difference = (to.bits() & position) - (from.bits() & position);
+  return static_cast<uint32_t>(difference * measure.inverse >> measure.shift);
 }
 
 }  // namespace discmc::host

@@ -20,11 +20,6 @@ uint64_t two_words(const uint32_t* words) {
 // The columns of two words, without the copies of neighbouring columns.
 constexpr uint64_t own_columns = detail::trace::own_columns * uint64_t{0x100000001};
 
-// Returns the slice of a position, which may lie a column or a row before the first.
-[[maybe_unused]] uint32_t slice_of(uint64_t position) {
-  return static_cast<uint32_t>((position + CornerCode::vector({2, 2, 0})) >> 48);
-}
-
 // One word of each of the nine rows around a row.
 class BlockWord {
  public:
@@ -64,16 +59,13 @@ void Edges::clear() {
   count_ = 0;
 }
 
-bool Edges::collect(const SweptRow& row) {
-  DISCMC_LIMIT(count_ == 0 ||
-               slice_of(edge_[0].voxel) == slice_of(CornerCode::position({0, 0, 2 * row.z})));
+bool Edges::collect(const SweptRow& row, int32_t row_z) {
   const uint32_t* const here = row.around.row[1][1];
   const uint32_t* const behind = row.around.row[1][2];
   const uint32_t* const above = row.around.row[2][1];
   const uint32_t words = row.words;
   const uint32_t last = (row.is_own() ? max_edges : max_at_seam) - max_in_word;
-  if (count_ > 0 && row.z != z_) return true;
-  z_ = row.z;
+  const uint64_t origin = CornerCode::position({-4, 2 * row.y, 2 * row_z});
   const uint64_t mask_y = row.has_y ? own_columns : 0, mask_z = row.has_z ? own_columns : 0;
   for (uint32_t word = word_;; ++word) {
     uint64_t x, y, z;
@@ -100,19 +92,18 @@ bool Edges::collect(const SweptRow& row) {
       word_ = word;
       return true;
     }
-    collect_word(row, word, x, y, z);
+    collect_word(row, origin, word, x, y, z);
   }
   word_ = 0;
   return false;
 }
 
 // Collects the crossing edges of a word. x, y, z: a bit per voxel with an edge along that axis.
-inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, uint64_t y,
-                                uint64_t z) {
+inline void Edges::collect_word(const SweptRow& row, uint64_t row_origin, uint32_t word, uint64_t x,
+                                uint64_t y, uint64_t z) {
   constexpr uint32_t axis_bits = RayTable::axis_bits;
   const BlockWord block(row.around, word);
-  const uint64_t origin = CornerCode::position({-4, 2 * row.y, 2 * row.z}) +
-                          next_voxel * (uint64_t{columns_per_word} * word);
+  const uint64_t origin = row_origin + next_voxel * (uint64_t{columns_per_word} * word);
   if (row.has_open_ends) x &= detail::trace::inner_columns(word, row.width);
   Edge* const first = edge_ + count_;
   Edge* edge = first;
@@ -130,14 +121,14 @@ inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, 
   count_ = static_cast<uint32_t>(edge - edge_);
   DISCMC_LIMIT(count_ <= (row.is_own() ? max_edges : max_at_seam));
   const bool is_end = row.has_open_ends && (word == 0 || word + 1 == row.words);
-  if (is_end || row.absent_rows != 0) mark_special(row, first);
+  if (is_end || row.absent_rows != 0) mark_special(row, row_origin, first);
 }
 
 // Marks the edges from `first` on that have absent cells, and all edges of context slices.
-DISCMC_NOINLINE void Edges::mark_special(const SweptRow& row, Edge* first) {
-  const uint64_t first_voxel = CornerCode::position({0, 2 * row.y, 2 * row.z});
+DISCMC_NOINLINE void Edges::mark_special(const SweptRow& row, uint64_t row_origin, Edge* first) {
   for (Edge* edge = first; edge != edge_ + count_; ++edge) {
-    const auto x = static_cast<uint32_t>((edge->voxel - first_voxel) / next_voxel);
+    // The position of bit 0 belongs to column -2.
+    const auto x = static_cast<uint32_t>((edge->voxel - row_origin) / next_voxel) - 2;
     const uint32_t absent = row.absent_at(static_cast<int>(edge->axis), x);
     if (!row.is_own() || absent != 0)
       edge->axis |= (row.is_own() ? Edge::special : Edge::special | Edge::at_seam) |

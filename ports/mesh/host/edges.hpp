@@ -29,10 +29,10 @@ class Edges {
   static constexpr uint32_t max_at_seam = max_edges / 2;
 
   void clear();
-  /// Collects edges of a row, from the word at which the last call stopped. Returns false at the
-  /// end of the row. Returns true if the batch must be processed first: it has no room for one more
-  /// word, or belongs to another slice.
-  bool collect(const detail::trace::SweptRow& row);
+  /// Collects edges of a row, from the word at which the last call stopped. z: of the row, for the
+  /// positions of edges. Returns false at the end of the row, and true if the batch has no room for
+  /// one more word.
+  bool collect(const detail::trace::SweptRow& row, int32_t z);
   /// Discards the collected edges.
   void discard_all() { count_ = 0; }
 
@@ -40,20 +40,17 @@ class Edges {
   uint32_t count() const { return count_; }
   const Edge* begin() const { return edge_; }
   const Edge* end() const { return edge_ + count_; }
-  /// Returns the next word of the current row.
-  uint32_t word() const { return word_; }
 
  private:
   static constexpr uint32_t max_in_word = 3 * detail::trace::columns_per_word;
   static_assert(max_at_seam > max_in_word, "a word has room, at a seam, too");
 
-  void collect_word(const detail::trace::SweptRow& row, uint32_t word, uint64_t x, uint64_t y,
-                    uint64_t z);
-  void mark_special(const detail::trace::SweptRow& row, Edge* first);
+  void collect_word(const detail::trace::SweptRow& row, uint64_t row_origin, uint32_t word,
+                    uint64_t x, uint64_t y, uint64_t z);
+  void mark_special(const detail::trace::SweptRow& row, uint64_t row_origin, Edge* first);
 
   uint32_t word_ = 0;
   uint32_t count_ = 0;
-  int32_t z_ = 0;                  // the slice of the batch
   Edge edge_[max_edges + 3] = {};  // each voxel writes three, even if fewer cross
 };
 

@@ -1,14 +1,12 @@
 // An extractor for PCs, with half of the instructions of Extractor32.
 //
-//   static HostExtractor extractor;
-//   extractor.start(limits, threshold, memory, sink);  // as any extractor, with 2 MiB to spare
+//   HostExtractor extractor;
+//   extractor.start(limits, threshold, memory, sink);  // as any extractor
 //
-// Chains are nodes as long as there is room: host::Chains::min_slots slots, which are 1.6 MB beside
-// the rows, and ten slots per waiting node. Without this room the firmware's sweep continues.
-//
-// The events equal those of any extractor, unless fragments leave loose. Loose fragments may be
-// other pieces of the same regions. peaks() counts the slots of nodes; firmware needs fewer. The
-// object is 30 KiB larger.
+// The memory holds rows of bits: HostExtractor::minimum_bytes(limits) suffice. Chains and holes are
+// in memory of the extractor, which grows; so the capacities have no effect, and no fragment is
+// sent early. The events equal those of any extractor with ample memory. A scan has at most
+// host::CornerCode::max_slices slices; for more, use Extractor32. Throws std::bad_alloc.
 #ifndef DISCMC_MESH_HOST_HOST_EXTRACTOR_HPP
 #define DISCMC_MESH_HOST_HOST_EXTRACTOR_HPP
 
@@ -21,17 +19,17 @@ class HostExtractor : public BasicExtractor<uint32_t, BitIntake, host::Sweep> {
  public:
   HostExtractor() = default;
 
+  // Chains lie outside of the caller's memory.
+  Status save(Memory* parts) = delete;
+  Status restore(Memory memory, const Sink& sink) = delete;
+
   /// Offers each region of one ring to the receiver before the sink, in the order of the events.
-  /// Call this after start() or restore(), which forget the receiver. Owner: the receiver must
-  /// outlive the scan.
+  /// Call this after start(), which forgets the receiver. Owner: the receiver must outlive the
+  /// scan.
   void set_region_receiver(const RegionReceiver& receiver) { sweep().set_receiver(receiver); }
 
   /// See host::Sweep. Limit: after finish().
   uint32_t left_triangle_parts() { return sweep().left_triangle_parts(); }
-
- private:
-  HostExtractor(const HostExtractor&) = default;
-  HostExtractor& operator=(const HostExtractor&) = default;
 };
 
 }  // namespace discmc

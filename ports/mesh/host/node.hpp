@@ -3,33 +3,23 @@
 #define DISCMC_MESH_HOST_NODE_HPP
 
 #include <discmc/base/compiler.hpp>
-#include <discmc/capacities.hpp>
 #include "corner_code.hpp"
 #include "ray_table.hpp"
 
 namespace discmc::host {
 
-/// A vertex that a chain passes: as large as a slot, and aligned as one.
+/// A vertex that a chain passes.
 struct Node {
-  uint32_t voxel_bits[2];  // CornerCode::position()
-  uint32_t next;           // the next node of the chain, no_node, or a waiting_tail
+  uint64_t voxel;  // CornerCode::position()
+  uint32_t next;   // the next node of the chain, no_node, or a waiting_tail
   PassWord pass;
 
   static constexpr uint32_t no_node = UINT32_MAX;
   /// Added to the seat of a tail, while nodes are copied.
   static constexpr uint32_t waiting_tail = 1U << 31;
-  /// The pass of a shortcut, which has no corner. Its voxel_bits name the node up to which the
-  /// chain has been followed.
+  /// The pass of a shortcut, which has no corner. Its voxel is the number of the node up to which
+  /// the chain has been followed.
   static constexpr PassWord shortcut = 1U << 31 | pass_word(seam_tails, seam_begins, 0);
-  static_assert(detail::sizing::max_slots<uint32_t> < waiting_tail,
-                "numbers of nodes are not those of tails");
-
-  uint64_t voxel() const {
-    uint64_t bits;
-    copy_bytes(&bits, voxel_bits, sizeof bits);
-    return bits;
-  }
-  void set_voxel(uint64_t bits) { copy_bytes(voxel_bits, &bits, sizeof bits); }
 
   bool turns() const {
     return queue_traits.incoming[in_of(pass)] != queue_traits.outgoing[out_of(pass)];
@@ -57,7 +47,7 @@ struct Node {
  private:
   uint64_t plane() const {
     static_assert(incidence_shift > CornerCode::incidence_shift);
-    return voxel() + ((pass & incidence_bits) >> (incidence_shift - CornerCode::incidence_shift));
+    return voxel + ((pass & incidence_bits) >> (incidence_shift - CornerCode::incidence_shift));
   }
 };
 

@@ -1,33 +1,37 @@
-// The sweep of the extractor for PCs: faster, with the same events, as long as memory suffices.
+// The sweep of the extractor for PCs: faster, with the same events.
 //
-// Chains are nodes (chains.hpp). If they need too many slots, the firmware's sweep takes over.
+// Chains are nodes (chains.hpp). Only holes, the rings around them, and loose fragments become runs
+// in slots, as in firmware. Nodes and slots are in memory of the sweep that grows.
 #ifndef DISCMC_MESH_HOST_SWEEP_HPP
 #define DISCMC_MESH_HOST_SWEEP_HPP
 
 #include "one_ring_region.hpp"
 
-#include <discmc/trace/sweep.hpp>
+#include <memory>
+
+#include <discmc/trace/delivery.hpp>
 #include "chains.hpp"
 
 namespace discmc::host {
 
 /// Replaces detail::trace::Sweep in an extractor.
-class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
+class Sweep {
  public:
   static constexpr bool is_lean = false;
-  using FirmwareSweep = detail::trace::Sweep<uint32_t, NoNormal>;
+  static constexpr std::uint32_t max_slices = CornerCode::max_slices;
+  using Fragments = detail::trace::Fragments<std::uint32_t, NoNormal>;
+  using Delivery = detail::trace::Delivery<std::uint32_t, NoNormal, true>;
 
-  using FirmwareSweep::delivery;
-  using FirmwareSweep::fragments;
-
-  void start(Arena& arena, const Capacities& capacities) {
-    FirmwareSweep::start(arena, capacities);
-    receiver_ = {};
-  }
-  void set_capacities(const ChainCapacities& capacities) { chains_.set_capacities(capacities); }
+  /// The capacities are ignored.
+  void start(Arena& arena, const Capacities& capacities);
+  void set_sizes(const ChainSizes& sizes) { chains_.set_sizes(sizes); }
   void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();
-  /// May keep the last edges for the next call.
+
+  const Fragments& fragments() const { return fragments_; }
+  const Delivery& delivery() const { return delivery_; }
+
+  /// May keep the last edges for the next call. Returns false if the sink is busy: call again.
   bool sweep(const detail::trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
              Statistics& statistics);
   bool flush(const Sink& sink, Statistics& statistics);
@@ -36,32 +40,34 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
   /// Returns the fraction of a triangle of classic Marching Cubes that the statistics round down:
   /// cells at a seam belong to two slabs. Units: CountParts::triangle per triangle. Limit: after
   /// the last row.
-  uint32_t left_triangle_parts() const;
+  std::uint32_t left_triangle_parts() const { return counts_.triangle_parts(); }
 
  private:
-  using Slots = Chains::Slots;
+  using Slot = detail::trace::Slot<std::uint32_t, NoNormal>;
+  using Outgoing = detail::trace::Outgoing<std::uint32_t>;
 
-  bool sweep_as_firmware(const detail::trace::SweptRow& row, const BitIntake& intake,
-                         const Sink& sink, Statistics& statistics);
-  bool ensure_room(const detail::trace::SweptRow& row);
-  void hand_over(const detail::trace::SweptRow& row);
   void process_edges(Statistics& statistics);
   bool deliver(const Sink& sink, Statistics& statistics);
-  bool may_have_holes(const OneRingRegion& region);
   bool deliver_ring(const Sink& sink, Statistics& statistics);
-  OneRingRegion found_region(uint64_t& links);
+  std::uint8_t& hole_mark(const OneRingRegion& region);
+  bool may_have_holes(const OneRingRegion& region);
   bool send_events(const OneRingRegion& region, const Sink& sink, Statistics& statistics);
+  void set_outgoing(Outgoing::Kind kind, const std::uint64_t* corners, std::uint32_t count);
+  void ensure_slots(std::uint64_t count);
 
-  Slots& slots() { return fragments_.slots(); }
-
-  bool keeps_nodes_ = false;
-  bool is_due_ = false;               // rings or complete fragments may wait for delivery
-  bool has_ends_from_below_ = false;  // whether queues count ends from below a slab
-  uint32_t handed_word_ = 0;          // the word of a row at which chains were handed over
+  bool is_due_ = false;  // rings or complete fragments may wait for delivery
+  bool has_base_ = false;
+  std::int32_t base_ = 0;  // the first slice with edges; codes count from it
   RegionReceiver receiver_;
   Edges edges_;
   FoundPasses found_;
   Chains chains_;
+  detail::trace::SweepCounts counts_;
+  std::uint8_t hole_marks_[1U << 12] = {};
+  std::unique_ptr<Slot[]> slots_;
+  std::uint32_t max_slots_ = 1U << 12;
+  Fragments fragments_;
+  Delivery delivery_;
 };
 
 }  // namespace discmc::host

@@ -26,17 +26,14 @@ detail::trace::SweptRow row_of(int32_t z) {
 
 }  // namespace
 
-TEST_CASE("a batch contains edges of a single slice, and edges of the next slice wait") {
+TEST_CASE("a batch contains edges of several rows") {
   Edges edges;
   edges.clear();
-  CHECK_FALSE(edges.collect(row_of(3)));
+  CHECK_FALSE(edges.collect(row_of(3), 3));
   const uint32_t of_row = edges.count();
   CHECK(of_row == 4);
-  CHECK_FALSE(edges.collect(row_of(3)));
-  CHECK(edges.count() == 2 * of_row);
-  CHECK(edges.collect(row_of(4)));
+  CHECK_FALSE(edges.collect(row_of(3), 3));
   CHECK(edges.count() == 2 * of_row);
   edges.discard_all();
-  CHECK_FALSE(edges.collect(row_of(4)));
-  CHECK(edges.count() == of_row);
+  CHECK(edges.is_empty());
 }

@@ -149,7 +149,7 @@ class Streamed {
 // As many slots and holes as any of the volumes needs.
 Capacities ample_for(const Scanned& scanned) {
   const auto slots = static_cast<uint32_t>(8 * scanned.vertices);
-  return {host::Chains::min_slots + 10 * slots, slots};
+  return {slots, slots};
 }
 
 template <class Scanner>

@@ -11,11 +11,11 @@ namespace {
 
 using shapes::Below;
 
-// Enough for fragments, and for a host's queues to grow, in nearly all volumes. Limit: 64 MiB.
+// Enough for fragments in nearly all volumes. Limit: 64 MiB.
 Capacities ample_capacities(const Limits& limits, uint32_t slices) {
   constexpr uint32_t slots_per_voxel = 64, most = 1U << 22;
   const uint32_t voxels = limits.width * limits.height * (slices + 2);
-  const uint32_t slots = std::min(host::Chains::min_slots + slots_per_voxel * voxels, most);
+  const uint32_t slots = std::min((1U << 15) + slots_per_voxel * voxels, most);
   return {slots, slots};
 }
 
@@ -30,9 +30,9 @@ Capacities draw_memory(uint32_t memory, const Capacities& most, const Below& bel
     case 2:
       return {1000 + 32 * below(256), 16 * below(64)};
     case 3:
-      return {host::Chains::min_slots - 1 - below(2) * 256, below(200)};
+      return {10000 + 256 * below(64), below(200)};
     case 4:
-      return {host::Chains::min_slots + 16 * below(256), 100 + below(200)};
+      return {30000 + 16 * below(256), 100 + below(200)};
     default:
       return most;
   }

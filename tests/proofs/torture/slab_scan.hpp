@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 #include "host/host_extractor.hpp"
@@ -55,11 +56,14 @@ class SlabScan {
     reference::finish_all(active());
     if (!block_->is_intact()) throw std::runtime_error("a write outside the arena");
     const Peaks peaks = active().peaks();
-    if (peaks.slots > plan_.capacities.slots || peaks.holes > plan_.capacities.holes)
+    if (!grows && (peaks.slots > plan_.capacities.slots || peaks.holes > plan_.capacities.holes))
       throw std::runtime_error("more in use than there is room for");
   }
 
  private:
+  // A host has chains and holes outside of the arena.
+  static constexpr bool grows = std::is_same_v<Extractor, HostExtractor>;
+
   Limits limits() const { return volume_.limits_of_slab(plan_.first, plan_.end); }
   uint64_t bytes() const { return Extractor::bytes_for(limits(), plan_.capacities); }
 
@@ -82,6 +86,9 @@ class SlabScan {
   }
 
   void move_to_other() {
+    if constexpr (!grows) move_arena();
+  }
+  void move_arena() {
     while (active().is_suspended())
       if (active().resume() != Status::suspended) break;
     auto other = std::make_unique<reference::Block>(bytes());
@@ -104,7 +111,8 @@ class SlabScan {
 /// promise.
 inline Pieces scanned(const PlacedVolume& volume, const SlabPlan& plan) {
   Pieces pieces;
-  switch (plan.scanner) {
+  const bool is_deep = plan.end - plan.first + 2 > host::CornerCode::max_slices;
+  switch (plan.scanner == Scanner::host && is_deep ? Scanner::wide : plan.scanner) {
     case Scanner::narrow:
       SlabScan<uint16_t, Extractor16>(volume, plan, pieces).run();
       break;

@@ -112,7 +112,7 @@ void Collector::begin_ring(const Event& event) {
   require(state_ == State::region || state_ == State::ring, "a ring outside a region");
   if (state_ == State::ring) end_ring();
   require(event.is_hole == !region_.rings.empty(), "the outer ring is not the first, or not alone");
-  require((event.start.x + event.start.y + event.start.z) % 2 != 0,
+  require(((event.start.x ^ event.start.y ^ event.start.z) & 1) != 0,
           "a ring starts off the lattice");
   const int32_t plane = dot_product(incidence_normal(region_.incidence), event.start);
   require(region_.rings.empty() || plane == plane_, "a ring on another plane than its region");
@@ -161,7 +161,7 @@ void Collector::end_region() {
 void Collector::begin_fragment(const Event& event) {
   require(state_ == State::between, "a fragment begins inside something else");
   require(is_incidence(event.incidence), "a fragment without incidence");
-  require((event.start.x + event.start.y + event.start.z) % 2 != 0,
+  require(((event.start.x ^ event.start.y ^ event.start.z) & 1) != 0,
           "a fragment starts off the lattice");
   require(event.incoming_direction < direction_count(event.incidence),
           "a fragment that came by a direction that the plane does not have");

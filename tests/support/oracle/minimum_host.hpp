@@ -1,4 +1,4 @@
-// A host extractor with minimum capacities, so that its queues and areas of nodes grow often.
+// A host extractor with minimum sizes, so that its queues and areas of nodes grow often.
 #pragma once
 
 #include "host/host_extractor.hpp"
@@ -7,14 +7,12 @@ namespace discmc::reference {
 
 class MinimumHost : public HostExtractor {
  public:
-  static constexpr uint32_t min_slots = host::ChainCapacities::minimum().slots();
-
-  /// more_seats: additional seats of each queue, a multiple of four.
+  /// more_seats: additional seats of each queue.
   explicit MinimumHost(uint32_t more_seats = 0) {
-    host::ChainCapacities capacities = host::ChainCapacities::minimum();
-    capacities.seats += more_seats;
-    capacities.seats_at_seam += more_seats;
-    sweep().set_capacities(capacities);
+    host::ChainSizes sizes = host::ChainSizes::minimum();
+    sizes.seats += more_seats;
+    sizes.seats_at_seam += more_seats;
+    sweep().set_sizes(sizes);
   }
 };
 

@@ -119,18 +119,19 @@ TEST_CASE("random operations never assign a slot twice or lose one") {
   }
 }
 
-TEST_CASE("a pool provides contiguous fresh slots while enough of them are unused") {
-  StartedPool<uint16_t> pool(10);
-  pool.release(pool.allocate());
-  CHECK(pool.allocate_fresh(10) == no_slot);
-  CHECK(pool.allocate_fresh(4) == 2);
-  CHECK(pool.in_use() == 4);
-  CHECK(pool.peak() == 5);
-  pool.reserve(2);
-  CHECK(pool.allocate_fresh(5) == no_slot);
-  CHECK(pool.allocate_fresh(4) == 6);
-  CHECK(pool.available() == 0);
-  for (uint16_t index = 2; index < 10; ++index) pool.release(index);
-  CHECK(pool.allocate_fresh(2) == no_slot);
-  CHECK(pool.allocate_fresh(1) == 10);
+TEST_CASE("a pool continues in a larger array with the slots in use") {
+  StartedPool<uint16_t> pool(3);
+  for (uint32_t i = 1; i <= 3; ++i) REQUIRE(pool.allocate() == i);
+  pool.release(2);
+  std::vector<PooledSlot<uint16_t>> larger(5);
+  pool.unpoison_free();
+  std::copy_n(&pool[1], 3, larger.begin());
+  pool.move_to(larger.data(), 5);
+  CHECK(pool.available() == 3);
+  CHECK(pool.in_use() == 2);
+  CHECK(pool.allocate() == 2);
+  CHECK(pool.allocate() == 4);
+  CHECK(pool.allocate() == 5);
+  CHECK(pool.allocate() == no_slot);
+  CHECK(&pool[5] == &larger[4]);
 }

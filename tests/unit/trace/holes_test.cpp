@@ -118,7 +118,12 @@ TEST_CASE_TEMPLATE(
   detail::trace::Outgoing<Index> ring;
   ring.kind = detail::trace::Outgoing<Index>::Kind::fragment;
   ring.incidence = incidence;
-  const auto is_on = [&](int32_t z) { return holes.has_any(slots, incidence, {4, 1, z}); };
+  const auto is_on = [&](int32_t z) {
+    if constexpr (sizeof(Index) == 2)
+      return holes.has_any(slots, incidence, {4, 1, z});
+    else
+      return holes.has_any(slots, incidence, {4, 1, z}, {0, 0}, {4, 2});
+  };
   constexpr uint32_t slots_each_hole = Holes::slots_each + 1;  // and its run
   for (int32_t z = 0; z < 40; ++z) {
     CHECK(!is_on(z));
