@@ -326,16 +326,16 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
   require(!scenario.has_all_memory || collector.loose().empty(), "loose, with memory left");
 }
 
-// A host, whose memory grows, has the events of an extractor with ample memory.
+// A HostExtractor sends the events of an extractor with ample memory.
 void check_host(const Scenario& scenario, const EventLog::Refuses& refuses) {
   Scenario large = scenario;
   large.capacities = {1 << 20, 1 << 20};
   const EventLog ample = run<uint32_t>(large, {});
   large.capacities = minimum_capacities();
   const EventLog host = run<uint32_t, HostExtractor>(large, refuses);
-  require(host.events == ample.events, "a host gives other events");
+  require(host.events == ample.events, "a HostExtractor sends other events");
   const EventLog least = run<uint32_t, MinimumHost>(large, refuses);
-  require(least.events == ample.events, "a host with the least room gives other events");
+  require(least.events == ample.events, "a HostExtractor with minimum sizes sends other events");
 }
 
 template <class Scanner>

@@ -50,7 +50,7 @@ constexpr void translate(Vertex& v, const Vertex& step, uint32_t times) {
   add(v.y, step.y);
   add(v.z, step.z);
 }
-/// The result wraps, as coordinates may be near their limits.
+/// Wraps, because coordinates may be near their limits.
 constexpr int32_t dot_product(const Vertex& a, const Vertex& b) {
   const auto product = [](int32_t one, int32_t other) {
     return static_cast<uint32_t>(one) * static_cast<uint32_t>(other);

@@ -25,7 +25,7 @@ enum class Status : uint8_t {
   finished,           ///< the scan has ended: start() another, or reset(); of a Receiver: push on
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
-  too_many_slices,    ///< the scan has Limits::max_slices slices; finish() still works
+  too_many_slices,    ///< the scan has the most slices that it may have; finish() still works
   wrong_version,      ///< this decoder does not support the stream's version
   bad_checkpoint,     ///< the checkpoint or its memory differs from what was saved
   bad_label,          ///< see StreamLabel; for a StreamHeader also its surfaces

@@ -140,15 +140,6 @@ TEST_CASE("extraction in parts gives the regions of one sweep, in an order indep
     }
 }
 
-TEST_CASE("extraction in parts with too little initial memory gives the same surface") {
-  const BitVolume volume = random({20, 20, 40}, 128, 5);
-  ExtractionOptions options = options_with(Border::closed);
-  options.jobs = 2;
-  const Extracted ample = extracted(volume, options);
-  options.memory = 3000;
-  CHECK(are_same(extracted(volume, options).surface, ample.surface));
-}
-
 TEST_CASE("the statistics of parts equal those of one sweep, within one cell and facet per seam") {
   const BitVolume volume = random({20, 17, 70}, 128, 2);
   const auto whole = extracted(volume, options_with(Border::closed)).extraction.statistics;

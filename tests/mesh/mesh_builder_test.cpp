@@ -43,12 +43,12 @@ TEST_CASE("a builder without slices yields an empty mesh") {
   CHECK(MeshBuilder(4, 5, 1).finish().triangles.empty());
 }
 
-TEST_CASE("a builder refuses more slices than a scan can have, and keeps the surface so far") {
+TEST_CASE("a builder refuses slice 32,761, and still finishes the surface of those before") {
   constexpr int most = 32760;
   MeshBuilder builder(1, 1, 1);
   const std::uint8_t on = 1;
   for (int z = 0; z < most; ++z) builder.add_slice(&on);
-  CHECK_THROWS_WITH_AS(builder.add_slice(&on), doctest::Contains("at most 32760 slices"),
+  CHECK_THROWS_WITH_AS(builder.add_slice(&on), doctest::Contains("at most 32760; finish it"),
                        std::length_error);
   const MeshMeasures measures = measures_of(builder.finish());
   CHECK(measures.is_closed);

@@ -39,7 +39,7 @@ TEST_CASE_TEMPLATE("equal samples of every type yield the same triangles", Sampl
   CHECK(measures_of(mesh).volume == doctest::Approx(measures_of(of_whole).volume));
 }
 
-TEST_CASE("a volume may have more slices than a scan on a PC") {
+TEST_CASE("a volume of more than 32,760 slices has a closed mesh, and so has a label in it") {
   // A column, and a voxel beside it at either end.
   const auto measured = [](std::int64_t depth, unsigned threads) {
     std::vector<std::uint8_t> samples(static_cast<std::size_t>(2 * depth));
@@ -57,6 +57,10 @@ TEST_CASE("a volume may have more slices than a scan on a PC") {
     CHECK(deep.greatest[2] == depth - 0.5);
     CHECK(deep.volume == doctest::Approx(low.volume + (high.volume - low.volume) * 329));
   }
+  const Array<std::uint8_t> column{{1, 1, depth}, std::vector<std::uint8_t>(depth, 1)};
+  const MeshMeasures label = measures_of(label_meshes(column.view()).at(0).mesh);
+  CHECK(label.is_closed);
+  CHECK(label.greatest[2] == depth - 0.5);
 }
 
 TEST_CASE("every test volume has a closed mesh with outward triangles") {

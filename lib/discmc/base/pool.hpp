@@ -106,7 +106,8 @@ class Pool : public SlotAccount<Index> {
     this->capacity_ = capacity;
   }
 
-  /// Continues in a larger array, to which the caller has copied the slots up to peak().
+  /// Continues in a larger array, to which the caller has copied the slots up to peak(). Call
+  /// unpoison_free() before copying.
   void move_to(Slot* slots, uint32_t capacity) {
     this->add_available(capacity - this->capacity_);
     start(slots, capacity);

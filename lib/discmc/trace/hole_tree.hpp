@@ -48,8 +48,9 @@ class Holes<uint32_t, Normal> {
   /// Limit: none is marked. Cost: a look-up per line of the plane that a side crosses and that has
   /// holes, and per marked hole.
   uint32_t mark(Slots& slots, const Ring& chain) {
-    if (chain.kind == Ring::Kind::ring) return mark_inside(slots, chain);
     uint32_t marked = 0;
+    if (count_ == 0) return marked;
+    if (chain.kind == Ring::Kind::ring) return mark_inside(slots, chain);
     for (;; ++marked) {
       const uint32_t hole = waiting_.any_on_plane(Nodes{slots}, chain.incidence, chain.start);
       if (hole == no_slot) return marked;

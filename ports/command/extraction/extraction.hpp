@@ -29,7 +29,8 @@ struct ExtractionOptions : SurfaceOptions {
   /// Replaces `memory`: the arena is large enough for these capacities.
   std::optional<Capacities> capacities{};
   /// Whether memory is used as on a device, so that its measurements apply to a device. `memory`,
-  /// `capacities` and `normals` imply this. The surface is the same.
+  /// `capacities` and `normals` imply this. The surface is the same. Limit: none of these with
+  /// jobs.
   bool measures_memory = false;
 };
 

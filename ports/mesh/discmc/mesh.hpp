@@ -13,7 +13,7 @@
 // MeshReceiver the bytes of a device. Link discmc::mesh. In C: discmc/mesh.h.
 //
 // Errors: std::invalid_argument names the value and the remedy; std::length_error: more than 2^32
-// corners, or more than 32,760 slices of a MeshBuilder or a label; Cancelled: MeshOptions::progress
+// corners, or more than 32,760 slices of a MeshBuilder; Cancelled: MeshOptions::progress
 // returned false; what a callback throws.
 #ifndef DISCMC_MESH_HPP
 #define DISCMC_MESH_HPP
@@ -233,8 +233,8 @@ struct MeshMeasures {
 };
 [[nodiscard]] MeshMeasures measures_of(const Mesh& mesh);
 
-/// Builds a mesh from slices that come one by one; holds two slices of bits and the surface, no
-/// volume. Limit of the options: no smoothing, no gradient normals, one thread.
+/// Builds a mesh from slices that come one by one, up to 32,760; holds two slices of bits and the
+/// surface, no volume. Limit of the options: no smoothing, no gradient normals, one thread.
 class MeshBuilder {
  public:
   MeshBuilder(std::int64_t width, std::int64_t height, const Level& level,

@@ -31,16 +31,8 @@ struct ArenaSize {
   Capacities capacities;
 };
 
-/// Returns the memory of a scan on a PC, enough for slices of any kind. Unused pages cost nothing.
-/// Units: bytes.
-template <class Normals = BitIntake>
-std::uint64_t generous_bytes_for(const Limits& limits) {
-  constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
-  return std::max(generous_bytes,
-                  2 * detail::sizing::minimum_bytes<std::uint32_t, Normals>(limits));
-}
-
-/// Returns the memory of an extractor of the given type: for a HostExtractor that of its rows.
+/// Returns the memory of an extractor of the given type. A HostExtractor needs memory only for rows
+/// of bits.
 template <class AnyExtractor>
 ArenaSize arena_of(const Limits& limits) {
   if (std::is_same_v<AnyExtractor, HostExtractor>)
@@ -146,8 +138,10 @@ class Extractors {
   }
 
   std::optional<MemoryUse> use_of(const AnyExtractor& extractor) const {
-    if (std::is_same_v<AnyExtractor, HostExtractor>) return std::nullopt;
-    return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities, extractor.peaks()};
+    if constexpr (std::is_same_v<AnyExtractor, HostExtractor>)
+      return std::nullopt;
+    else
+      return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities, extractor.peaks()};
   }
 
   ArenaSize arena_;

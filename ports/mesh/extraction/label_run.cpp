@@ -82,7 +82,7 @@ void LabelRun::extract(const Limits& limits, bool filters_by_majority, HostScan&
 
   const Limits box_limits{high[0] - low[0], high[1] - low[1], limits.border};
   MovedSurface moved(surface, low);
-  scan.start(box_limits, make_sink(moved), make_region_receiver(moved));
+  scan.start(box_limits, make_sink(moved), make_region_receiver(moved), high[2] - low[2]);
   RowSender rows(box_limits, filters_by_majority, scan);
   const std::size_t row_bytes = bit_row_bytes(box_limits.width);
   std::vector<std::uint8_t> bits(row_bytes * box_limits.height);

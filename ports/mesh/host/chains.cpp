@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include <discmc/base/checks.hpp>
 
@@ -11,7 +12,7 @@ namespace discmc::host {
 
 namespace {
 
-// The numbers of nodes and seats are not those of waiting tails.
+// Returns a number of nodes or seats. Throws if it would reach those of waiting tails.
 std::uint32_t below_tails(std::uint64_t count) {
   if (count >= Node::waiting_tail) throw std::bad_alloc();
   return static_cast<std::uint32_t>(count);
@@ -33,8 +34,8 @@ void Chains::clear() {
   for (std::uint32_t queue = 0; queue < queue_codes; ++queue) {
     next_in_seat_[queue] = next_out_seat_[queue] = first_seat_[queue] = seat;
     seat += is_at_seam(queue) ? sizes_.seats_at_seam : sizes_.seats;
+    end_seat_[queue] = seat;
   }
-  first_seat_[queue_codes] = seat;
   seat_.resize(seat);
   min_free_seats_ = sizes_.seats;
   max_nodes_ = next_max_nodes_ = sizes_.nodes;
@@ -44,20 +45,19 @@ void Chains::clear() {
   joins_ = next_join_ = 0;
   complete_.clear();
   next_complete_ = 0;
-  corner_.resize(2 * (2 * ChainSizes::max_walk + 1));
+  corner_.resize(2 * (2 * ChainSizes::max_walk + 1));  // two corners a node, and one is overwritten
 }
 
 // Copies the nodes of open fragments to the other area, in the order of each chain.
 void Chains::copy_open() {
   DISCMC_LIMIT(next_join_ == joins_ && !has_complete());
+  spare_area_.reserve(first_node + next_max_nodes_, 0);
   Node* const node = area_.nodes.get();
   std::uint32_t* const seat = seat_.begin();
   // Marks the last node of each fragment with its seat.
   for (std::uint32_t queue = 0; queue < seam_tails; ++queue)
     for (std::uint32_t i = front(queue); i != back(queue); ++i)
       node[seat[i]].next = Node::waiting_tail + i;
-  max_nodes_ = next_max_nodes_;
-  spare_area_.reserve(first_node + max_nodes_, 0);
   Node* const copy = spare_area_.nodes.get();
   std::uint32_t top = first_node;
   for (std::uint32_t queue = first_begins; queue < queue_codes; ++queue)
@@ -75,12 +75,15 @@ void Chains::copy_open() {
     }
   std::swap(area_, spare_area_);
   top_ = top;
-  // The area is doubled if a third is open, so copying costs each pass amortised constant time.
+  max_nodes_ = next_max_nodes_;
+  // The next area is twice as large if a third of this one is open, so copying costs each pass
+  // amortised constant time. If half is open, this area grows at once.
   const std::uint64_t open = nodes();
   if (3 * open + ChainSizes::max_new > max_nodes_)
     next_max_nodes_ = below_tails(std::uint64_t{2} * max_nodes_);
-  if (2 * open + ChainSizes::max_new > max_nodes_) max_nodes_ = next_max_nodes_;
-  area_.reserve(first_node + max_nodes_, top_);
+  if (2 * open + ChainSizes::max_new <= max_nodes_) return;
+  area_.reserve(first_node + next_max_nodes_, top_);
+  max_nodes_ = next_max_nodes_;
 }
 
 void Chains::find_min_free_seats() {
@@ -89,8 +92,8 @@ void Chains::find_min_free_seats() {
     for (std::uint32_t i = 0; i < queues_each - 1; ++i)
       min_free = std::min(min_free, end[i] - back[i]);
   };
-  find(first_seat_ + 1, next_out_seat_);
-  find(first_seat_ + first_begins + 1, next_in_seat_ + first_begins);
+  find(end_seat_, next_out_seat_);
+  find(end_seat_ + first_begins, next_in_seat_ + first_begins);
   min_free_seats_ = min_free;
 }
 
@@ -99,49 +102,38 @@ void Chains::make_seats() {
   find_min_free_seats();
   if (has_seats()) return;
   back(seam_tails) = front(seam_tails);  // nothing reads this queue
-  bool are_short[queue_codes];
-  bool is_any_short = false;
   for (std::uint32_t queue = 0; queue < queue_codes; ++queue) {
     const std::uint32_t needed = is_at_seam(queue) ? ChainSizes::max_across : Edges::max_edges;
-    const bool is_full = free_seats(queue) < needed;
-    are_short[queue] =
-        is_full && (seats(queue) - waiting(queue) < needed || 2 * waiting(queue) > seats(queue));
-    is_any_short = is_any_short || are_short[queue];
     // Few nodes wait, and over a quarter of the seats is used up. They move now, so that a later
     // batch has room.
     const bool is_cheap_move =
         free_seats(queue) < seats(queue) / 4 * 3 && waiting(queue) <= seats(queue) / 16;
-    if ((is_full && !are_short[queue]) || is_cheap_move)
-      move_waiting(seat_.begin(), seat_.begin(), queue, first_seat_[queue]);
+    if (free_seats(queue) >= needed && !is_cheap_move) continue;
+    const bool has_seats_in_front =
+        seats(queue) - waiting(queue) >= needed && 2 * waiting(queue) <= seats(queue);
+    if (has_seats_in_front)
+      move_waiting(queue, first_seat_[queue]);
+    else
+      grow_queue(queue);
   }
-  if (is_any_short) grow_queues(are_short);
   find_min_free_seats();
   DISCMC_LIMIT(has_seats());
 }
 
-// Doubles the seats of some queues.
-void Chains::grow_queues(const bool (&are_short)[queue_codes]) {
-  std::uint32_t count = 0;
-  for (std::uint32_t queue = 0; queue < queue_codes; ++queue)
-    count = below_tails(count + std::uint64_t{seats(queue)} * (are_short[queue] ? 2 : 1));
-  meshing::Array<std::uint32_t> larger;
-  larger.resize(count);
-  std::uint32_t first = 0;
-  for (std::uint32_t queue = 0; queue < queue_codes; ++queue) {
-    const std::uint32_t of_queue = seats(queue) * (are_short[queue] ? 2 : 1);
-    move_waiting(seat_.begin(), larger.begin(), queue, first);
-    first_seat_[queue] = first;
-    first += of_queue;
-  }
-  first_seat_[queue_codes] = first;
-  seat_ = std::move(larger);
+// Moves a queue to twice as many seats, behind all others.
+void Chains::grow_queue(std::uint32_t queue) {
+  const auto first = static_cast<std::uint32_t>(seat_.size());
+  const std::uint32_t end = below_tails(seat_.size() + std::uint64_t{2} * seats(queue));
+  seat_.resize(end);
+  move_waiting(queue, first);
+  first_seat_[queue] = first;
+  end_seat_[queue] = end;
 }
 
 // Moves the waiting nodes of a queue to the seats from `first` on.
-void Chains::move_waiting(const std::uint32_t* from, std::uint32_t* to, std::uint32_t queue,
-                          std::uint32_t first) {
+void Chains::move_waiting(std::uint32_t queue, std::uint32_t first) {
   const std::uint32_t count = waiting(queue);
-  std::copy(from + front(queue), from + back(queue), to + first);
+  std::copy(&seat_[front(queue)], &seat_[front(queue)] + count, &seat_[first]);
   front(queue) = first;
   back(queue) = first + count;
 }
@@ -168,6 +160,8 @@ void Chains::process(const FoundPasses& passes, std::uint32_t edges) {
   passes.for_each([&](const std::uint64_t& voxel, PassWord pass) {
     const std::size_t in = in_of(pass), out = out_of(pass);
     const std::uint32_t in_seat = next_in_seat_[in]++, out_seat = next_out_seat_[out]++;
+    DISCMC_LIMIT(in_seat < end_seat_[in] && out_seat < end_seat_[out]);
+    DISCMC_LIMIT(top < first_node + max_nodes_ && joins < FoundPasses::max_passes);
     const std::uint32_t before = seat[in_seat], after = seat[out_seat];
     // All bits or none, and conditional moves: no branch depends on the surface.
     const std::uint32_t comes_from_ahead = queue_traits.comes_from_ahead[in];
@@ -245,7 +239,8 @@ void Chains::list_corners(std::uint32_t first, std::uint32_t end) {
   std::uint32_t at = first;
   do {
     // A node has two corners at most.
-    if (2 * (count + 2) + 1 > corner_.size()) corner_.resize(2 * corner_.size());
+    if (2 * (count + 2) > corner_.size())
+      corner_.resize(below_tails(std::uint64_t{2} * corner_.size()));
     const Node& node = area_.nodes[at];
     count = static_cast<std::size_t>(node.append_corners(&corner_[count]) - corner_.begin());
     at = node.next;

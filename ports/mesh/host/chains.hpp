@@ -34,8 +34,7 @@
 
 namespace discmc::host {
 
-/// The initial sizes of the areas of nodes and of queues, which grow, and the length of a walk
-/// without a shortcut.
+/// The initial numbers of nodes and seats, which grow. The longest walk that adds no shortcut.
 struct ChainSizes {
   // A pass adds at most one node. If it is a join, find_ring() may add a shortcut.
   static constexpr std::uint32_t max_new = 2 * FoundPasses::max_passes;
@@ -45,24 +44,24 @@ struct ChainSizes {
   static constexpr std::uint32_t max_walk = 256;
 
   std::uint32_t nodes = 4096;
-  /// The seats of a queue, and of a queue of the seam: no powers of two. So the first seats of
-  /// queues do not share sets of a cache.
+  /// The seats of a queue, and of a queue of the seam. No powers of two, so that the first seats of
+  /// the queues lie in different sets of a cache.
   std::uint32_t seats = 4 * Edges::max_edges + 16;
   std::uint32_t seats_at_seam = 2 * max_across + 16;
   std::uint32_t short_walk = 64;  ///< nodes; at most max_walk
 
-  /// The sizes that one batch of edges needs. With them, tests soon make everything grow.
+  /// The sizes that one batch of edges needs. Tests use them, so that all memory grows.
   static constexpr ChainSizes minimum() { return {max_new, Edges::max_edges, max_across, 1}; }
 };
 
 static_assert(ChainSizes{}.nodes >= ChainSizes::max_new && ChainSizes{}.seats >= Edges::max_edges &&
                   ChainSizes{}.seats_at_seam >= ChainSizes::max_across &&
                   ChainSizes{}.short_walk <= ChainSizes::max_walk,
-              "a batch has room at once");
+              "the initial sizes hold a batch");
 
 class Chains {
  public:
-  /// Sets the sizes of the next scan. Limit: at least ChainSizes::minimum().
+  /// Sets the initial sizes, from the next clear() on. Limit: at least ChainSizes::minimum().
   void set_sizes(const ChainSizes& sizes) { sizes_ = sizes; }
   /// Forgets all chains.
   void clear();
@@ -87,7 +86,7 @@ class Chains {
   void find_fragment();
 
   /// The corners (CornerCode) of what was found last, in order. The array has room for as many
-  /// again, and one more.
+  /// again.
   std::uint64_t* corners() { return corner_.begin(); }
   std::uint32_t corner_count() const { return corner_count_; }
 
@@ -96,7 +95,7 @@ class Chains {
     std::unique_ptr<Node[]> nodes;
     std::uint32_t capacity = 0;
 
-    void reserve(std::uint32_t capacity, std::uint32_t kept);
+    void reserve(std::uint32_t nodes_needed, std::uint32_t kept);
   };
 
   // Node 0 is none: passes without a node before them write it, and nothing reads it.
@@ -113,10 +112,8 @@ class Chains {
     return queue == seam_tails || queue == seam_begins;
   }
   std::uint32_t waiting(std::uint32_t queue) { return back(queue) - front(queue); }
-  std::uint32_t seats(std::uint32_t queue) const {
-    return first_seat_[queue + 1] - first_seat_[queue];
-  }
-  std::uint32_t free_seats(std::uint32_t queue) { return first_seat_[queue + 1] - back(queue); }
+  std::uint32_t seats(std::uint32_t queue) const { return end_seat_[queue] - first_seat_[queue]; }
+  std::uint32_t free_seats(std::uint32_t queue) { return end_seat_[queue] - back(queue); }
   // Whether each queue has seats for the passes of max_edges.
   bool has_seats() {
     return min_free_seats_ >= Edges::max_edges &&
@@ -125,17 +122,16 @@ class Chains {
   }
   void find_min_free_seats();
   void make_seats();
-  void grow_queues(const bool (&are_short)[queue_codes]);
-  void move_waiting(const std::uint32_t* from, std::uint32_t* to, std::uint32_t queue,
-                    std::uint32_t first);
+  void grow_queue(std::uint32_t queue);
+  void move_waiting(std::uint32_t queue, std::uint32_t first);
   bool leads_to(std::uint32_t join, std::uint32_t at);
   void list_corners(std::uint32_t first, std::uint32_t end);
 
   ChainSizes sizes_;
   Area area_, spare_area_;
   std::uint32_t top_ = 0;  // behind the last node
-  // Before the next copying, and after it. They do not depend on scans before, so neither does the
-  // order of events.
+  // The most nodes before the next copy_open(), and after it. They do not depend on earlier scans,
+  // nor does the order of events.
   std::uint32_t max_nodes_ = 0, next_max_nodes_ = 0;
   meshing::Array<std::uint32_t> seat_;
   std::uint32_t min_free_seats_ = 0;  // of all queues but those of the seam
@@ -143,7 +139,8 @@ class Chains {
   // an end from a queue of tails, or adds an end to a queue of begins.
   std::uint32_t next_in_seat_[queue_codes] = {};
   std::uint32_t next_out_seat_[queue_codes] = {};
-  std::uint32_t first_seat_[queue_codes + 1] = {};
+  std::uint32_t first_seat_[queue_codes] = {};
+  std::uint32_t end_seat_[queue_codes] = {};
   meshing::Array<std::uint32_t> join_;  // of the last batch
   std::uint32_t joins_ = 0;
   std::uint32_t next_join_ = 0;  // the first join that find_ring() has not followed

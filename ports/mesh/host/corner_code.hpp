@@ -12,8 +12,8 @@ namespace discmc::host {
 /// its code.
 class CornerCode {
  public:
-  /// The largest number of slices of a scan, with context slices. A code also has room for the
-  /// slice before the first. Behind the last it has room for centroids.
+  /// The largest number of slices of a scan, with context slices. The remaining z are for the slice
+  /// before the first, and for centroids behind the last.
   static constexpr uint32_t max_slices = 32760;
   static_assert(2 * (max_slices + 2) < 1 << 16 && 2 * Limits::max_extent + 1 < 1 << 16,
                 "each coordinate and one has 16 bits");
@@ -52,9 +52,9 @@ class CornerCode {
   uint64_t bits_;
 };
 
-/// The means to count links between two corners. The difference of their positions is a multiple of
-/// an odd number, shifted by some bits. It is divided exactly by a multiplication with the inverse
-/// modulo 2^64 (H. Warren, Hacker's Delight, section 10-15).
+/// The constants that count the links between two corners. The difference of their positions is a
+/// multiple of an odd number, shifted by some bits. It is divided exactly by a multiplication with
+/// the inverse modulo 2^64 (H. Warren, Hacker's Delight, section 10-15).
 struct LinkMeasure {
   uint64_t inverse;
   uint32_t shift;
@@ -69,7 +69,7 @@ constexpr LinkMeasures link_measures() {
     uint64_t odd = CornerCode::vector(link_vector(link));
     LinkMeasure& measure = measures.by_link[link];
     for (; (odd & 1) == 0; odd >>= 1) ++measure.shift;
-    // Each step doubles the number of right bits; three are right at first.
+    // Each step doubles the number of correct bits; three are correct at first.
     measure.inverse = odd;
     for (int bits = 3; bits < 64; bits *= 2) measure.inverse *= 2 - odd * measure.inverse;
   }

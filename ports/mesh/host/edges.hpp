@@ -29,9 +29,9 @@ class Edges {
   static constexpr uint32_t max_at_seam = max_edges / 2;
 
   void clear();
-  /// Collects edges of a row, from the word at which the last call stopped. z: of the row, for the
-  /// positions of edges. Returns false at the end of the row, and true if the batch has no room for
-  /// one more word.
+  /// Collects edges of a row, from the word at which the last call stopped. z: the slice of
+  /// the row, counted from the first slice with edges. Returns false at the end of the row, and
+  /// true if the batch has no room for one more word.
   bool collect(const detail::trace::SweptRow& row, int32_t z);
   /// Discards the collected edges.
   void discard_all() { count_ = 0; }

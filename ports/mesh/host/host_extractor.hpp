@@ -3,10 +3,11 @@
 //   HostExtractor extractor;
 //   extractor.start(limits, threshold, memory, sink);  // as any extractor
 //
-// The memory holds rows of bits: HostExtractor::minimum_bytes(limits) suffice. Chains and holes are
-// in memory of the extractor, which grows; so the capacities have no effect, and no fragment is
-// sent early. The events equal those of any extractor with ample memory. A scan has at most
-// host::CornerCode::max_slices slices; for more, use Extractor32. Throws std::bad_alloc.
+// The memory holds rows of bits: at least minimum_bytes(limits). Chains and holes are in memory of
+// the extractor, which grows; so the capacities have no effect, and no fragment is sent early. The
+// events equal those of any extractor with ample memory. A scan has at most
+// host::CornerCode::max_slices slices; for more, use Extractor32. Throws std::bad_alloc; after
+// that, only start() is allowed.
 #ifndef DISCMC_MESH_HOST_HOST_EXTRACTOR_HPP
 #define DISCMC_MESH_HOST_HOST_EXTRACTOR_HPP
 
@@ -19,9 +20,10 @@ class HostExtractor : public BasicExtractor<uint32_t, BitIntake, host::Sweep> {
  public:
   HostExtractor() = default;
 
-  // Chains lie outside of the caller's memory.
+  // A checkpoint would lack the chains, which lie outside the caller's memory.
   Status save(Memory* parts) = delete;
   Status restore(Memory memory, const Sink& sink) = delete;
+  size_t bytes_used() const = delete;
 
   /// Offers each region of one ring to the receiver before the sink, in the order of the events.
   /// Call this after start(), which forgets the receiver. Owner: the receiver must outlive the

@@ -31,7 +31,7 @@ class OneRingRegion {
     return Run::straight(direction(code(i).onwards()), host::links_between(code(i), code(i + 1)));
   }
 
-  /// The CornerCodes of the corners, which are not moved.
+  /// The CornerCodes of the corners, without the vector of move().
   const uint64_t* codes() const { return corners_; }
 
   void move(const Vertex& vector) { offset_ = offset_ + vector; }

@@ -44,7 +44,6 @@ constexpr QueueTraits derive_queue_traits() {
   for (uint8_t queue = 0; queue < detail::trace::queue_count; ++queue) {
     const uint32_t code = next[are_begins[queue] ? 1 : 0]++;
     traits.code[queue] = static_cast<QueueCode>(code);
-    traits.number[code] = queue;
   }
   for_each_way(true, [&](int axis, int quadrant, Way way, bool is_spoke) {
     const uint32_t code = traits.code[way.queue_in()];

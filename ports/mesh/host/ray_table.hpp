@@ -111,8 +111,7 @@ struct QueueTraits {
   /// before the vertex. That begin may wait for the next slice, with a long side to the centroid.
   uint32_t straight_in[queue_codes], straight_out[queue_codes];
 
-  uint8_t number[queue_codes];                 ///< the number of the queue in sector_table.hpp
-  QueueCode code[detail::trace::queue_count];  ///< the inverse of `number`
+  QueueCode code[detail::trace::queue_count];  ///< by the number in sector_table.hpp
 };
 
 extern const RayTable ray_table;

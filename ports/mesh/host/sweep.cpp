@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <new>
 
 namespace discmc::host {
@@ -16,8 +17,8 @@ bool is_hole(const OneRingRegion& region) {
 }
 
 // Turns the corners of a ring so that the first one is its last vertex, at which regions begin;
-// this vertex is a corner. Repeats it behind the last corner. Returns the first corner, and adds
-// the links.
+// this vertex is a corner. Repeats all corners behind the last one. Returns the first corner, and
+// adds the number of links to `links`.
 const std::uint64_t* turned_to_last_vertex(std::uint64_t* corners, std::uint32_t count,
                                            std::uint64_t& links) {
   std::uint64_t last = 0;
@@ -30,7 +31,6 @@ const std::uint64_t* turned_to_last_vertex(std::uint64_t* corners, std::uint32_t
     last ^= (last ^ corners[i]) & is_later;
     first ^= (first ^ i) & static_cast<std::uint32_t>(is_later);
   }
-  corners[2 * count] = corners[0];
   return corners + first;
 }
 
@@ -136,8 +136,8 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
   return true;
 }
 
-// The mark of a plane on which a hole may wait. Planes may share one: a search follows anyway,
-// which this saves most rings.
+// Returns the mark of a ring's plane: 1 if a hole has waited there. Planes may share a mark, so
+// may_have_holes() then searches. Most rings need no search.
 std::uint8_t& Sweep::hole_mark(const OneRingRegion& region) {
   const auto plane = static_cast<std::uint32_t>(plane_offset(region.incidence(), region.start()));
   const std::uint32_t spread = (plane * incidence_codes + region.incidence()) * 0x9E3779B1U;
@@ -168,7 +168,8 @@ bool Sweep::send_events(const OneRingRegion& region, const Sink& sink, Statistic
 
 // ---- slots ----
 
-// Makes a chain outgoing, as runs between its corners. A ring repeats its first corner.
+// Makes a chain outgoing, as runs between its corners. A ring has its first corner once more behind
+// the others.
 void Sweep::set_outgoing(Outgoing::Kind kind, const std::uint64_t* corners, std::uint32_t count) {
   const CornerCode start(corners[0]);
   const std::uint32_t sides = kind == Outgoing::Kind::ring ? count : count - 1;
@@ -176,7 +177,8 @@ void Sweep::set_outgoing(Outgoing::Kind kind, const std::uint64_t* corners, std:
   std::uint64_t runs = 0;
   for (std::uint32_t i = 0; i < sides; ++i)
     runs += links_between(CornerCode(corners[i]), CornerCode(corners[i + 1])) / max_length + 1;
-  ensure_slots(runs);
+  constexpr std::uint64_t runs_of_slot = Lists::entries;
+  ensure_slots(runs / runs_of_slot + 1);
   std::uint32_t list = no_slot;
   for (std::uint32_t i = 0; i < sides; ++i) {
     const CornerCode from(corners[i]);
@@ -194,7 +196,7 @@ void Sweep::set_outgoing(Outgoing::Kind kind, const std::uint64_t* corners, std:
   fragments_.outgoing().incoming = direction_of(start.incidence(), start.onwards());
 }
 
-// Ensures that this many slots, and those of a hole, are free.
+// Ensures free slots for a chain and one hole, beyond the spare slots of Delivery.
 void Sweep::ensure_slots(std::uint64_t count) {
   Fragments::Slots& slots = fragments_.slots();
   constexpr std::uint64_t spare = minimum_capacities().slots + Delivery::hole_slots;

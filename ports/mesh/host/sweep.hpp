@@ -1,7 +1,7 @@
 // The sweep of the extractor for PCs: faster, with the same events.
 //
-// Chains are nodes (chains.hpp). Only holes, the rings around them, and loose fragments become runs
-// in slots, as in firmware. Nodes and slots are in memory of the sweep that grows.
+// Chains are nodes (chains.hpp). Only holes, the rings around them, loose fragments, and rings that
+// a busy sink interrupts become runs in slots, as in firmware. The memory of nodes and slots grows.
 #ifndef DISCMC_MESH_HOST_SWEEP_HPP
 #define DISCMC_MESH_HOST_SWEEP_HPP
 

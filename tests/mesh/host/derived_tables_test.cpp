@@ -34,7 +34,6 @@ TEST_CASE("the queue traits derived at run time equal the compile-time traits") 
   CHECK(are_same(derived.goes_ahead, queue_traits.goes_ahead));
   CHECK(are_same(derived.straight_in, queue_traits.straight_in));
   CHECK(are_same(derived.straight_out, queue_traits.straight_out));
-  CHECK(are_same(derived.number, queue_traits.number));
   CHECK(are_same(derived.code, queue_traits.code));
 }
 

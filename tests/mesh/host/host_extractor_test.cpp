@@ -22,7 +22,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Ample for other extractors; a HostExtractor needs none.
+// With these, other extractors send no fragment early. A HostExtractor ignores capacities.
 constexpr Capacities much{1000000, 1000};
 
 // A plate with holes of many shapes: rings of many runs, and rings that touch themselves.
@@ -243,7 +243,7 @@ TEST_CASE("rings of any length are closed, even after many unsuccessful walks") 
     check(jagged_comb(teeth, 40));
     check(upright(jagged_comb(teeth, 40)));
   }
-  // A ring of 128 corners, a quarter of the listed maximum.
+  // A ring of 128 corners, a quarter of what a short walk may find.
   check(jagged_comb(3, 26));
 }
 
@@ -288,8 +288,8 @@ TEST_CASE("regions delivered whole equal the regions sent to the sink event by e
   }
 }
 
-TEST_CASE("a side may cross all rows of a slice") {
-  // The side is longer than the range of places, which repeat after 8,192 links.
+TEST_CASE("a side across all rows of a slice has the right length") {
+  // The side is longer than a run.
   constexpr uint32_t size = 2000;
   BitVolume slope({size, size, 1});
   for (int64_t y = 0; y < size; ++y)
@@ -298,8 +298,8 @@ TEST_CASE("a side may cross all rows of a slice") {
   CHECK(scanned(extractor, slope).events == expected_of(slope).events);
 }
 
-TEST_CASE("a long side may turn upwards at a centroid") {
-  // The side is longer than the range of places, which repeat after 8,192 links. Noise follows
+TEST_CASE("a long side that turns upwards at a centroid has the right length") {
+  // The side is longer than a run. Noise follows
   // while the end of the side waits for the slice in which it turns.
   constexpr uint32_t size = 850;
   HostExtractor extractor;
@@ -321,8 +321,8 @@ TEST_CASE("a long side may turn upwards at a centroid") {
   }
 }
 
-TEST_CASE("a side may cross all slices of a slab") {
-  // The side is longer than the range of places, which repeat after 8,192 links.
+TEST_CASE("a side across all slices of a slab has the right length") {
+  // The side is longer than a run.
   constexpr uint32_t size = 2100;
   BitVolume slope({size, 1, size});
   for (int64_t z = 0; z < size; ++z)
@@ -348,7 +348,7 @@ TEST_CASE(
       }
 }
 
-TEST_CASE("a scan refuses slices beyond the range of a corner code, and keeps those before") {
+TEST_CASE("a HostExtractor refuses slices after 32,760, and sends the surface of those before") {
   constexpr uint32_t most = host::CornerCode::max_slices;
   const std::vector<uint8_t> voxels(most + 2, 1);
   for (const bool continues_below : {false, true}) {
@@ -563,7 +563,7 @@ TEST_CASE("a host extractor sends the same events if all of its memory grows") {
     }
 }
 
-TEST_CASE("a slab of a structured volume has the same parts if all memory grows") {
+TEST_CASE("a slab of a structured volume has the parts of other extractors if all memory grows") {
   MinimumHost extractor;
   Extractor32 other;
   std::vector<BitVolume> all = volumes_of_slabs();

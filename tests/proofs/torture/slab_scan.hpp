@@ -1,5 +1,5 @@
-// Scans one slab by one kind of extractor, with refusals and checkpoints. After a checkpoint
-// another extractor continues in other memory.
+// Scans one slab by one kind of extractor, with refusals and, on devices, checkpoints. After a
+// checkpoint another extractor continues in other memory.
 #pragma once
 
 #include <algorithm>
@@ -56,13 +56,14 @@ class SlabScan {
     reference::finish_all(active());
     if (!block_->is_intact()) throw std::runtime_error("a write outside the arena");
     const Peaks peaks = active().peaks();
-    if (!grows && (peaks.slots > plan_.capacities.slots || peaks.holes > plan_.capacities.holes))
+    if (!has_own_memory &&
+        (peaks.slots > plan_.capacities.slots || peaks.holes > plan_.capacities.holes))
       throw std::runtime_error("more in use than there is room for");
   }
 
  private:
-  // A host has chains and holes outside of the arena.
-  static constexpr bool grows = std::is_same_v<Extractor, HostExtractor>;
+  // A HostExtractor keeps chains and holes outside the arena, and has no checkpoints.
+  static constexpr bool has_own_memory = std::is_same_v<Extractor, HostExtractor>;
 
   Limits limits() const { return volume_.limits_of_slab(plan_.first, plan_.end); }
   uint64_t bytes() const { return Extractor::bytes_for(limits(), plan_.capacities); }
@@ -86,7 +87,7 @@ class SlabScan {
   }
 
   void move_to_other() {
-    if constexpr (!grows) move_arena();
+    if constexpr (!has_own_memory) move_arena();
   }
   void move_arena() {
     while (active().is_suspended())
