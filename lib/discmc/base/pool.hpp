@@ -51,8 +51,6 @@ class SlotAccount {
   }
 
  protected:
-  void add_available(uint32_t count) { available_ += count; }
-
   Index allocate(uint32_t slot_bytes) {
     if (available_ == 0) return no_slot;
     --available_;
@@ -109,8 +107,9 @@ class Pool : public SlotAccount<Index> {
   /// Continues in a larger array, to which the caller has copied the slots up to peak(). Call
   /// unpoison_free() before copying.
   void move_to(Slot* slots, uint32_t capacity) {
-    this->add_available(capacity - this->capacity_);
+    const uint32_t added = capacity - this->capacity_;
     start(slots, capacity);
+    this->unreserve(added);
   }
 
   /// Frees all slots, and resets the peak.

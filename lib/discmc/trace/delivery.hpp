@@ -31,8 +31,6 @@ class Delivery {
   using Slots = Pool<Slot<Index, Normal>, Index>;
   using Chains = Fragments<Index, Normal>;
 
-  static constexpr uint32_t hole_slots = Holes<Index, Normal>::slots_each;
-
   /// heads: as for Holes. max_holes: if this many wait, further holes leave as loose fragments.
   void start(Index* heads, uint32_t max_holes) {
     holes_.start(heads);
@@ -122,7 +120,7 @@ void Delivery<Index, Normal, holes_wait>::begin(Chains& chains) {
     return begin_next_loose(chains);
   }
   begin_ring(slots);
-  constexpr uint32_t min_spare = minimum_capacities().slots + hole_slots;
+  constexpr uint32_t min_spare = minimum_capacities().slots + Holes<Index, Normal>::slots_each;
   if (holes_wait && event_.is_hole && holes_.count() < max_holes_ &&
       // With fewer spare slots the hole leaves as a fragment. No known scan reaches this, because
       // fragments leave early before so few slots remain.

@@ -199,7 +199,8 @@ void Sweep::set_outgoing(Outgoing::Kind kind, const std::uint64_t* corners, std:
 // Ensures free slots for a chain and one hole, beyond the spare slots of Delivery.
 void Sweep::ensure_slots(std::uint64_t count) {
   Fragments::Slots& slots = fragments_.slots();
-  constexpr std::uint64_t spare = minimum_capacities().slots + Delivery::hole_slots;
+  constexpr std::uint64_t spare =
+      minimum_capacities().slots + detail::trace::Holes<std::uint32_t, NoNormal>::slots_each;
   const std::uint64_t needed = slots.in_use() + count + spare;
   if (needed <= max_slots_) return;
   if (needed > detail::sizing::max_slots<std::uint32_t> / 2) throw std::bad_alloc();

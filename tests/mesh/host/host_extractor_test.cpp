@@ -289,7 +289,7 @@ TEST_CASE("regions delivered whole equal the regions sent to the sink event by e
 }
 
 TEST_CASE("a side across all rows of a slice has the right length") {
-  // The side is longer than a run.
+  // Firmware divides the side, whose places repeat after 8,192.
   constexpr uint32_t size = 2000;
   BitVolume slope({size, size, 1});
   for (int64_t y = 0; y < size; ++y)
@@ -299,8 +299,8 @@ TEST_CASE("a side across all rows of a slice has the right length") {
 }
 
 TEST_CASE("a long side that turns upwards at a centroid has the right length") {
-  // The side is longer than a run. Noise follows
-  // while the end of the side waits for the slice in which it turns.
+  // Firmware divides the side, whose places repeat after 8,192. Noise follows while the end of the
+  // side waits for the slice in which it turns.
   constexpr uint32_t size = 850;
   HostExtractor extractor;
   for (const uint32_t seed : {1U, 9U, 12U}) {  // links whose ends turn
@@ -322,7 +322,7 @@ TEST_CASE("a long side that turns upwards at a centroid has the right length") {
 }
 
 TEST_CASE("a side across all slices of a slab has the right length") {
-  // The side is longer than a run.
+  // Firmware divides the side, whose places repeat after 8,192.
   constexpr uint32_t size = 2100;
   BitVolume slope({size, 1, size});
   for (int64_t z = 0; z < size; ++z)

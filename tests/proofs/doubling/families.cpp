@@ -139,6 +139,7 @@ const Family families[] = {
     {"noise", 48, square_noise<4, 128, 1>},
     {"sparse noise", 64, square_noise<8, 25, 2>},
     {"dense noise", 64, square_noise<8, 230, 3>},
+    // Larger than the others: while few holes wait, the logarithm of their number grows fast.
     {"noise on a plane", 192, square_noise<1, 170, 4>},
 };
 const size_t family_count = sizeof families / sizeof families[0];
