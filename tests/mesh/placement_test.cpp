@@ -17,6 +17,10 @@ std::array<double, 3> placed(const Matrix& matrix, const std::array<double, 3>& 
   return at;
 }
 
+constexpr double c = 0.6, s = 0.8;  // a rotation about z
+constexpr Matrix rotated{{{2 * c, -3 * s, 0, 100}, {2 * s, 3 * c, 0, -20}, {0, 0, 4, 7}}};
+constexpr Matrix mirrored{{{0, 3, 0, 1}, {2, 0, 0, 2}, {0, 0, 4, 3}}};
+
 }  // namespace
 
 TEST_CASE(
@@ -37,9 +41,6 @@ TEST_CASE(
 TEST_CASE("a placement matrix transforms vertices, normals and polygons") {
   const auto array = ball<float>();
   const Mesh lattice = mesh_of(array.view(), ball_level);
-  const double c = 0.6, s = 0.8;  // a rotation about z
-  const Matrix rotated{{{2 * c, -3 * s, 0, 100}, {2 * s, 3 * c, 0, -20}, {0, 0, 4, 7}}};
-  const Matrix mirrored{{{0, 3, 0, 1}, {2, 0, 0, 2}, {0, 0, 4, 3}}};
   for (const Matrix& matrix : {rotated, mirrored}) {
     MeshOptions options;
     options.spacing = {9, 9, 9};  // the placement replaces the spacing
@@ -72,6 +73,22 @@ TEST_CASE("a placement matrix transforms vertices, normals and polygons") {
       CHECK(dot(mesh.polygons.normals[i], difference(vertex, centre)) > 0);
     }
   }
+}
+
+TEST_CASE("a mesh has the same vertices and triangles with normals as without, at any placement") {
+  for (const auto& array : bit_volumes())
+    for (const Matrix& matrix : {rotated, mirrored}) {
+      MeshOptions options;
+      options.placement = matrix;
+      options.polygons = true;
+      const Mesh mesh = mesh_of(array.view(), 1, options);
+      options.normals = Normals::surface;
+      const Mesh with_normals = mesh_of(array.view(), 1, options);
+      CHECK(mesh.normals.empty());
+      CHECK(mesh.vertices == with_normals.vertices);
+      CHECK(mesh.triangles == with_normals.triangles);
+      CHECK(mesh.polygons.corners == with_normals.polygons.corners);
+    }
 }
 
 TEST_CASE("normals depend only on the ratios of the spacings") {

@@ -9,8 +9,11 @@
 
 #include "decimation/decimation.hpp"
 #include "extraction/narrowed_volume.hpp"
+#include "jobs/parallel.hpp"
 #include "jobs/processors.hpp"
+#include "meshes/outline.hpp"
 #include "meshes/placing.hpp"
+#include "meshes/plane_mesh.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "meshes/vertex_numbers.hpp"
@@ -87,6 +90,59 @@ MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& verti
         area_vector(vertices, polygons.corners.data() + outer, polygon.rings[0].size())));
   }
   return polygons;
+}
+
+MeshingOptions triangles_of(const MeshOptions& options) {
+  MeshingOptions meshing;
+  meshing.faces = Faces::triangles;
+  meshing.tolerance = options.tolerance;
+  meshing.jobs = threads_of(options);
+  meshing.check = [report_here = reporter_here(options, "triangulating", 0)] { report_here(0); };
+  return meshing;
+}
+
+// Makes the triangles of polygons that stay in their planes, straight into the arrays of the mesh.
+Mesh plane_triangles(const Surface& surface, const MeshOptions& options, const SweepAxes& axes) {
+  const VertexNumbers vertices(surface.polygons, threads_of(options));
+  std::optional<Placing> placing;
+  if (axes.placement) placing.emplace(axes.spacing, *axes.placement);
+  Mesh mesh;
+  mesh.vertices.resize(vertices.size());
+  for_each_in_parallel(threads_of(options), vertices.part_count(), [&](std::size_t part) {
+    vertices.for_each(part, [&](std::uint32_t number, const Vertex& vertex) {
+      const Point at = in_mm(point_of(vertex), axes.spacing);
+      mesh.vertices[number] = placing ? placing->vertex(at) : at;
+    });
+  });
+  const bool reverses = placing && placing->mirrors();
+  mesh.triangles.reserve(likely_faces(vertices.size()));
+  for_each_face_block(surface, vertices, triangles_of(options), [&](const FaceMesh& block) {
+    for (std::size_t i = 0; i < block.corners.size(); i += 3) {
+      const std::uint32_t* const corners = &block.corners[i];
+      mesh.triangles.push_back({corners[reverses ? 2 : 0], corners[1], corners[reverses ? 0 : 2]});
+    }
+  });
+  return mesh;
+}
+
+// Likewise makes a mesh that is interpolated, decimated or has normals.
+Mesh processed_mesh(const Surface& surface, const Crossings* crossings, const MeshOptions& options,
+                    const SweepAxes& axes, double level, const OpenAgain& open_again) {
+  MeshingOptions meshing = triangles_of(options);
+  meshing.crossings = crossings;
+  FaceMesh faces = build_mesh(surface, meshing);
+  if (decimation_of(options).is_wanted())
+    decimate(faces, decimation_of(options), [&options] { report(options, "decimating", 0, 0); });
+  add_normals(surface, faces, options, level, open_again);
+  if (axes.placement) meshing::place(faces, *axes.placement);
+
+  Mesh mesh;
+  mesh.vertices = std::move(faces.vertices_mm);
+  mesh.normals = std::move(faces.normals);
+  mesh.triangles.resize(faces.face_count());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    std::copy_n(faces.face(i), 3, mesh.triangles[i].begin());
+  return mesh;
 }
 
 }  // namespace
@@ -171,23 +227,12 @@ Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& op
     relax(*crossings, surface,
           {options.border, options.tolerance, [&options] { report(options, "smoothing", 0, 0); }});
   report(options, "triangulating", 0, 0);
-  const unsigned threads = threads_of(options);
-  FaceMesh faces = build_mesh(
-      surface, {true, Faces::triangles, crossings, options.tolerance, threads,
-                [report_here = reporter_here(options, "triangulating", 0)] { report_here(0); }});
-  if (decimation_of(options).is_wanted())
-    decimate(faces, decimation_of(options), [&options] { report(options, "decimating", 0, 0); });
-  add_normals(surface, faces, options, level, open_again);
-  if (axes.placement) meshing::place(faces, *axes.placement);
-
-  Mesh mesh;
-  mesh.vertices = std::move(faces.vertices_mm);
-  mesh.normals = std::move(faces.normals);
-  mesh.triangles.resize(faces.face_count());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    std::copy_n(faces.face(i), 3, mesh.triangles[i].begin());
+  const bool is_plane = crossings == nullptr && !decimation_of(options).is_wanted() &&
+                        options.normals == Normals::none;
+  Mesh mesh = is_plane ? plane_triangles(surface, options, axes)
+                       : processed_mesh(surface, crossings, options, axes, level, open_again);
   if (options.polygons)
-    mesh.polygons = polygons_of(surface, mesh.vertices, axes.is_mirrored, threads);
+    mesh.polygons = polygons_of(surface, mesh.vertices, axes.is_mirrored, threads_of(options));
   return mesh;
 }
 

@@ -20,15 +20,6 @@ std::uint32_t below_tails(std::uint64_t count) {
 
 }  // namespace
 
-// Makes room for nodes, and keeps the first ones.
-void Chains::Area::reserve(std::uint32_t nodes_needed, std::uint32_t kept) {
-  if (nodes_needed <= capacity) return;
-  std::unique_ptr<Node[]> larger(new Node[nodes_needed]);
-  std::copy(nodes.get(), nodes.get() + kept, larger.get());
-  nodes = std::move(larger);
-  capacity = nodes_needed;
-}
-
 void Chains::clear() {
   std::uint32_t seat = 0;
   for (std::uint32_t queue = 0; queue < queue_codes; ++queue) {
@@ -39,7 +30,7 @@ void Chains::clear() {
   seat_.resize(seat);
   min_free_seats_ = sizes_.seats;
   max_nodes_ = next_max_nodes_ = sizes_.nodes;
-  area_.reserve(first_node + max_nodes_, 0);
+  area_.resize(first_node + max_nodes_);
   top_ = first_node;
   join_.resize(FoundPasses::max_passes + 1);
   joins_ = next_join_ = 0;
@@ -51,14 +42,14 @@ void Chains::clear() {
 // Copies the nodes of open fragments to the other area, in the order of each chain.
 void Chains::copy_open() {
   DISCMC_LIMIT(next_join_ == joins_ && !has_complete());
-  spare_area_.reserve(first_node + next_max_nodes_, 0);
-  Node* const node = area_.nodes.get();
+  spare_area_.resize(first_node + next_max_nodes_);
+  Node* const node = area_.begin();
   std::uint32_t* const seat = seat_.begin();
   // Marks the last node of each fragment with its seat.
   for (std::uint32_t queue = 0; queue < seam_tails; ++queue)
     for (std::uint32_t i = front(queue); i != back(queue); ++i)
       node[seat[i]].next = Node::waiting_tail + i;
-  Node* const copy = spare_area_.nodes.get();
+  Node* const copy = spare_area_.begin();
   std::uint32_t top = first_node;
   for (std::uint32_t queue = first_begins; queue < queue_codes; ++queue)
     for (std::uint32_t i = front(queue); i != back(queue); ++i) {
@@ -73,7 +64,7 @@ void Chains::copy_open() {
       copy[top - 1].next = Node::no_node;
       if (at != Node::no_node) seat[at - Node::waiting_tail] = top - 1;
     }
-  std::swap(area_, spare_area_);
+  area_.swap(spare_area_);
   top_ = top;
   max_nodes_ = next_max_nodes_;
   // The next area is twice as large if a third of this one is open, so copying costs each pass
@@ -82,7 +73,7 @@ void Chains::copy_open() {
   if (3 * open + ChainSizes::max_new > max_nodes_)
     next_max_nodes_ = below_tails(std::uint64_t{2} * max_nodes_);
   if (2 * open + ChainSizes::max_new <= max_nodes_) return;
-  area_.reserve(first_node + next_max_nodes_, top_);
+  area_.resize(first_node + next_max_nodes_);
   max_nodes_ = next_max_nodes_;
 }
 
@@ -152,7 +143,7 @@ DISCMC_ALWAYS_INLINE std::uint32_t all_if_zero(std::uint32_t number) {
 void Chains::process(const FoundPasses& passes, std::uint32_t edges) {
   DISCMC_LIMIT(edges <= Edges::max_edges && next_join_ == joins_ && !is_full());
   if (!has_seats()) make_seats();
-  Node* const node = area_.nodes.get();
+  Node* const node = area_.begin();
   std::uint32_t* const seat = seat_.begin();
   std::uint32_t* const join = join_.begin();
   std::uint32_t top = top_;
@@ -189,7 +180,7 @@ void Chains::process(const FoundPasses& passes, std::uint32_t edges) {
 // ---- rings ----
 
 bool Chains::find_ring() {
-  const Node* const node = area_.nodes.get();
+  const Node* const node = area_.begin();
   while (next_join_ != joins_) {
     const std::uint32_t join = join_[next_join_++];
     std::uint32_t at = join;
@@ -214,7 +205,7 @@ bool Chains::find_ring() {
 // Whether the chain returns to a join. at: the node at which the short walk stopped. If the chain
 // does not return, adds a shortcut to the last node reached.
 DISCMC_NOINLINE bool Chains::leads_to(std::uint32_t join, std::uint32_t at) {
-  Node* const node = area_.nodes.get();
+  Node* const node = area_.begin();
   std::uint32_t last = at;
   while (at != join) {
     if (at == Node::no_node) break;
@@ -241,7 +232,7 @@ void Chains::list_corners(std::uint32_t first, std::uint32_t end) {
     // A node has two corners at most.
     if (2 * (count + 2) > corner_.size())
       corner_.resize(below_tails(std::uint64_t{2} * corner_.size()));
-    const Node& node = area_.nodes[at];
+    const Node& node = area_[at];
     count = static_cast<std::size_t>(node.append_corners(&corner_[count]) - corner_.begin());
     at = node.next;
   } while (at != end);
@@ -270,7 +261,7 @@ CornerCode seam_corner(const Node& node) {
 
 // Fragments leave in the order of completion, which is that of their newest nodes.
 void Chains::find_complete() {
-  const Node* const node = area_.nodes.get();
+  const Node* const node = area_.begin();
   complete_.clear();
   next_complete_ = 0;
   std::uint32_t kept = front(seam_begins);
@@ -293,7 +284,7 @@ void Chains::find_complete() {
 
 void Chains::find_fragment() {
   DISCMC_LIMIT(has_complete());
-  const Node& first = area_.nodes[complete_[next_complete_++].first];
+  const Node& first = area_[complete_[next_complete_++].first];
   corner_[0] = seam_corner(first).bits();
   corner_count_ = 1;
   list_corners(first.next, Node::no_node);

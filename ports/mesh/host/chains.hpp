@@ -25,7 +25,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "found_passes.hpp"
@@ -91,13 +90,6 @@ class Chains {
   std::uint32_t corner_count() const { return corner_count_; }
 
  private:
-  struct Area {
-    std::unique_ptr<Node[]> nodes;
-    std::uint32_t capacity = 0;
-
-    void reserve(std::uint32_t nodes_needed, std::uint32_t kept);
-  };
-
   // Node 0 is none: passes without a node before them write it, and nothing reads it.
   static constexpr std::uint32_t first_node = 1;
   std::uint32_t nodes() const { return top_ - first_node; }
@@ -128,7 +120,7 @@ class Chains {
   void list_corners(std::uint32_t first, std::uint32_t end);
 
   ChainSizes sizes_;
-  Area area_, spare_area_;
+  meshing::Array<Node> area_, spare_area_;
   std::uint32_t top_ = 0;  // behind the last node
   // The most nodes before the next copy_open(), and after it. They do not depend on earlier scans,
   // nor does the order of events.

@@ -130,10 +130,15 @@ inline Point point_of(const Vertex& vertex) {
           static_cast<double>(vertex.z)};
 }
 
-/// Reserves faces for two triangles per vertex, which a closed surface without many handles has
-/// (Euler). Unused reserved memory costs nothing, but growing vectors temporarily exist twice.
+/// Returns somewhat more than two triangles per vertex, which a closed surface without many handles
+/// has (Euler), to reserve memory. Unused memory costs nothing, but growing vectors temporarily
+/// exist twice.
+constexpr std::size_t likely_faces(std::size_t vertices) {
+  return 2 * vertices + vertices / 4;
+}
+
 inline void reserve_faces(FaceMesh& mesh, std::size_t vertices) {
-  const std::size_t faces = 2 * vertices + vertices / 4;
+  const std::size_t faces = likely_faces(vertices);
   mesh.corners.reserve(3 * faces);
   mesh.face_begin.reserve(faces + 1);
   mesh.incidences.reserve(faces);

@@ -42,21 +42,28 @@ FaceMesh plane_mesh(const Surface& surface, const VertexNumbers& vertices,
   mesh.spacing_mm = surface.spacing_mm;
   place_vertices(vertices, options.jobs, mesh);
   reserve_faces(mesh, vertices.size());
+  for_each_face_block(surface, vertices, options,
+                      [&mesh](const FaceMesh& block) { append_faces(mesh, block); });
+  return mesh;
+}
+
+void for_each_face_block(const Surface& surface, const VertexNumbers& vertices,
+                         const MeshingOptions& options,
+                         const std::function<void(const FaceMesh&)>& consume) {
   struct Block {
-    std::unique_ptr<PlaneFaces> faces;
-    FaceMesh part;
+    std::unique_ptr<PlaneFaces> maker;
+    FaceMesh faces;
   };
   run_in_order<Block>(
       options.jobs, block_count(surface.polygons),
       [&](std::size_t, Block& block) {
-        if (!block.faces) block.faces = std::make_unique<PlaneFaces>(surface, vertices, options);
+        if (!block.maker) block.maker = std::make_unique<PlaneFaces>(surface, vertices, options);
       },
-      [](std::size_t number, Block& block) { block.faces->make(number, block.part); },
+      [](std::size_t number, Block& block) { block.maker->make(number, block.faces); },
       [&](std::size_t, Block& block) {
         if (options.check) options.check();
-        append_faces(mesh, block.part);
+        consume(block.faces);
       });
-  return mesh;
 }
 
 }  // namespace discmc::meshing

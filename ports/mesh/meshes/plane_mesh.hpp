@@ -2,6 +2,8 @@
 #ifndef DISCMC_MESH_MESHES_PLANE_MESH_HPP
 #define DISCMC_MESH_MESHES_PLANE_MESH_HPP
 
+#include <functional>
+
 #include "mesh.hpp"
 #include "vertex_numbers.hpp"
 
@@ -10,6 +12,12 @@ namespace discmc::meshing {
 /// Implements build_mesh(). vertices: of its polygons. Limit: no interpolation.
 FaceMesh plane_mesh(const Surface& surface, const VertexNumbers& vertices,
                     const MeshingOptions& options);
+
+/// Makes only the faces, block by block. consume: called with those of each block, in order; their
+/// corners are the numbers of vertices.
+void for_each_face_block(const Surface& surface, const VertexNumbers& vertices,
+                         const MeshingOptions& options,
+                         const std::function<void(const FaceMesh&)>& consume);
 
 }  // namespace discmc::meshing
 
