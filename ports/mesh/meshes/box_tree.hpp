@@ -33,13 +33,18 @@ struct Box {
           std::minmax({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
       low[axis] = static_cast<float>(lowest);
       high[axis] = static_cast<float>(highest);
-      if (static_cast<double>(low[axis]) > lowest) low[axis] = std::nextafter(low[axis], -infinity);
-      if (static_cast<double>(high[axis]) < highest)
-        high[axis] = std::nextafter(high[axis], infinity);
+      low[axis] -= more_than_rounding(low[axis]);
+      high[axis] += more_than_rounding(high[axis]);
     }
   }
 
   static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+  // Returns at least a step between floats. Avoids the branches and calls of std::nextafter().
+  static float more_than_rounding(float rounded) {
+    using Limits = std::numeric_limits<float>;
+    return std::fabs(rounded) * Limits::epsilon() + Limits::min();
+  }
 
   void include(const Box& box) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -93,13 +98,16 @@ class FourBoxes {
     Integers bits = {1, 2, 4, 8};
     for (std::size_t axis = 0; axis < 3; ++axis)
       bits &= (low_[axis] <= other.high[axis]) & (high_[axis] >= other.low[axis]);
-    return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
+    const auto halves = reinterpret_cast<Halves>(bits);
+    const std::uint64_t both = halves[0] | halves[1];
+    return static_cast<unsigned>(both | both >> 32);
   }
 
  private:
   // Vectors of GCC and Clang, because compilers do not always vectorise loops over four numbers.
   using Floats [[gnu::vector_size(16)]] = float;
   using Integers [[gnu::vector_size(16)]] = std::int32_t;
+  using Halves [[gnu::vector_size(16)]] = std::uint64_t;
 
   std::array<Floats, 3> low_, high_;
 };
@@ -193,6 +201,8 @@ class BoxTree {
   /// Returns the position of a box in the curve's order when the tree was built: near boxes have
   /// near numbers, from 0 on.
   std::uint32_t order_of(std::uint32_t index) const { return slots_[index]; }
+  /// Returns the index of the box at a position in this order.
+  std::uint32_t index_at(std::size_t position) const { return indexes_[position]; }
 
   /// Restricts near pairs to pairs with a box for which is_wanted(index) is true.
   template <class IsWanted>
@@ -205,8 +215,8 @@ class BoxTree {
   std::size_t part_count() const {
     return (wanted_.size() + leaves_per_part - 1) / leaves_per_part;
   }
-  /// Calls `call` with the indexes of two overlapping boxes. All parts together report each pair
-  /// once.
+  /// Calls `call` with two overlapping boxes, by their positions in the curve's order. All parts
+  /// together report each pair once.
   template <class Call>
   void for_each_near_pair(std::size_t part, Call call) const {
     const std::size_t end = leaves_ + std::min((part + 1) * leaves_per_part, wanted_.size());
@@ -221,7 +231,9 @@ class BoxTree {
   static std::size_t child(std::size_t node, std::size_t i) { return 4 * node + 1 + i; }
   static std::size_t parent(std::size_t node) { return (node - 1) / 4; }
   // Returns the position of box i of a leaf in the curve's order.
-  std::size_t slot(std::size_t leaf, std::size_t i) const { return 4 * (leaf - leaves_) + i; }
+  std::uint32_t slot(std::size_t leaf, std::size_t i) const {
+    return static_cast<std::uint32_t>(4 * (leaf - leaves_) + i);
+  }
 
   // Calls `call` with each leaf that has boxes overlapping `box`, and the bits of these boxes,
   // until a call returns true.
@@ -280,7 +292,7 @@ class BoxTree {
       if (other == leaf) near &= ~(1U << i);
       const unsigned pairs = near & boxes_[other].overlaps(boxes_[leaf][i]);
       for (std::size_t j = 0; j < 4; ++j)
-        if ((pairs >> j & 1U) != 0) call(indexes_[slot(leaf, i)], indexes_[slot(other, j)]);
+        if ((pairs >> j & 1U) != 0) call(slot(leaf, i), slot(other, j));
     }
   }
 

@@ -90,6 +90,7 @@ class BlockRefiner {
  private:
   // Splits the side at its junctions, and adds what each part needs.
   void add_needed(const Vertex& from, const Vertex& to, std::vector<Vertex>& needed) {
+    if (links_between(from, to) < 2) return;
     const Side side = side_between(from, to);
     side_ = {from};
     for (std::int32_t i = 1; i <= side.links; ++i) {

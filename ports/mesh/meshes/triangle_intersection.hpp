@@ -47,8 +47,8 @@ struct ComparedTriangle : PlacedTriangle {
 
 /// Returns the number of vertices that two triangles share.
 inline unsigned count_shared(const std::uint32_t* a, const std::uint32_t* b) {
-  unsigned count = 0;
-  for (std::size_t i = 0; i < 3; ++i) count += a[i] == b[0] || a[i] == b[1] || a[i] == b[2];
+  unsigned count = 0;  // without branches, like Box::overlaps()
+  for (std::size_t i = 0; i < 3; ++i) count += (a[i] == b[0]) | (a[i] == b[1]) | (a[i] == b[2]);
   return count;
 }
 
