@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 #include <utility>
 
+#include "box_tree.hpp"
 #include "intersections.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "jobs/parallel.hpp"
@@ -20,6 +22,7 @@ struct EarlierFaces {
   std::vector<std::uint32_t> polygons;  // one per face, ascending
   std::vector<bool> leaves_out;         // one per face, as in MovedTriangles
   std::vector<bool> is_outdated;        // one per polygon
+  std::vector<bool> may_change;         // one per polygon: if it is not outdated
   std::size_t first_new;                // vertices from this number on are new
 };
 
@@ -69,25 +72,34 @@ class BlockRefiner {
   // polygons keep their earlier ones.
   void make_faces(std::size_t block, const EarlierFaces& earlier, BlockFaces& faces) {
     faces.clear();
-    const auto first = static_cast<std::uint32_t>(block_of(surface_.polygons, block).first);
+    const PolygonSpan span = block_of(surface_.polygons, block);
     auto end = static_cast<std::size_t>(
-        std::lower_bound(earlier.polygons.begin(), earlier.polygons.end(), first) -
+        std::lower_bound(earlier.polygons.begin(), earlier.polygons.end(), span.first) -
         earlier.polygons.begin());
-    for_each_polygon(surface_, block, outline_, [&](std::uint32_t polygon) {
+    for (std::size_t i = span.first; i < span.end; ++i) {
+      const auto polygon = static_cast<std::uint32_t>(i);
       const std::size_t begin = end;
       while (end < earlier.polygons.size() && earlier.polygons[end] == polygon) ++end;
-      outline_.find_numbers();
-      const bool has_new_side =
-          std::any_of(outline_.numbers.begin(), outline_.numbers.end(),
-                      [&](std::uint32_t each) { return each >= earlier.first_new; });
-      if (earlier.is_outdated[polygon] || has_new_side) return add_polygon(polygon, faces);
+      if (earlier.is_outdated[polygon] || earlier.may_change[polygon]) {
+        outline_.follow(surface_.polygons[polygon]);
+        outline_.find_numbers();
+        if (earlier.is_outdated[polygon] || has_vertex_from(earlier.first_new)) {
+          add_polygon(polygon, faces);
+          continue;
+        }
+      }
       if (begin == end) faces.left_out.push_back(polygon);
       for (std::size_t face = begin; face < end; ++face)
         add_face(polygon, earlier.corners.data() + 3 * face, earlier.leaves_out[face], faces);
-    });
+    }
   }
 
  private:
+  bool has_vertex_from(std::size_t number) const {
+    return std::any_of(outline_.numbers.begin(), outline_.numbers.end(),
+                       [number](std::uint32_t each) { return each >= number; });
+  }
+
   // Splits the side at its junctions, and adds what each part needs.
   void add_needed(const Vertex& from, const Vertex& to, std::vector<Vertex>& needed) {
     if (links_between(from, to) < 2) return;
@@ -224,8 +236,12 @@ class InterpolatedMesh {
   // Makes the faces of outdated polygons, and of polygons with a new vertex on a side. Returns the
   // indexes of these faces.
   FaceList make_faces(std::vector<bool> is_outdated, std::size_t first_new) {
+    std::vector<Box> new_vertices;
+    for (std::size_t i = first_new; first_new > 0 && i < mesh_.lattice.size(); ++i)
+      new_vertices.push_back(box_of(mesh_.lattice[i], mesh_.lattice[i]));
     const EarlierFaces earlier{std::exchange(mesh_.corners, {}), std::exchange(mesh_.polygons, {}),
-                               std::exchange(leaves_out_, {}), std::move(is_outdated), first_new};
+                               std::exchange(leaves_out_, {}),   std::move(is_outdated),
+                               polygons_near(new_vertices),      first_new};
     mesh_.left_out.clear();
     reserve_faces(mesh_, mesh_.lattice.size());
     FaceList renewed;
@@ -285,8 +301,46 @@ class InterpolatedMesh {
           if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
       if (mesh_.lattice.size() == vertices) return;
       place_vertices();
-      faces = near_faces(mesh_, make_faces(std::move(is_outdated), vertices), options_.jobs);
+      faces = faces_near(make_faces(std::move(is_outdated), vertices));
     }
+  }
+
+  static Box box_of(const Vertex& low, const Vertex& high) {
+    return Box({point_of(low), point_of(high), point_of(high)});
+  }
+
+  // Returns, for each polygon, whether the box of its vertices before they moved overlaps one of
+  // the boxes. Units: half-steps.
+  std::vector<bool> polygons_near(const std::vector<Box>& boxes) const {
+    std::vector<bool> are_near(surface_.polygons.size());
+    if (boxes.empty()) return are_near;
+    const BoxTree tree(boxes);
+    for (std::size_t i = 0; i < are_near.size(); ++i) {
+      const Ring outer = surface_.polygons[i].rings[0];
+      const VertexBox box = box_around(outer.begin(), outer.end());
+      are_near[i] =
+          tree.any_near(box_of(box.low, box.high), [](std::uint32_t, const Box&) { return true; });
+    }
+    return are_near;
+  }
+
+  // Returns all faces of the polygons that may meet some faces.
+  FaceList faces_near(const FaceList& faces) const {
+    constexpr std::int32_t margin = 2;  // two vertices move by less than a half-step each
+    std::vector<Box> boxes;
+    for (const std::uint32_t face : faces) {
+      const std::uint32_t* const numbers = mesh_.face(face);
+      const Vertex corners[] = {mesh_.lattice[numbers[0]], mesh_.lattice[numbers[1]],
+                                mesh_.lattice[numbers[2]]};
+      const VertexBox box = box_around(std::begin(corners), std::end(corners));
+      const Vertex by{margin, margin, margin};
+      boxes.push_back(box_of(box.low - by, box.high + by));
+    }
+    const std::vector<bool> are_near = polygons_near(boxes);
+    FaceList found;
+    for (std::uint32_t face = 0; face < mesh_.face_count(); ++face)
+      if (are_near[mesh_.polygons[face]]) found.push_back(face);
+    return found;
   }
 
   // Numbers the crossings in a face and on its sides. Returns whether there was a new crossing.

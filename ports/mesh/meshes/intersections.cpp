@@ -92,18 +92,4 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
   return pairs;
 }
 
-FaceList near_faces(const FaceMesh& mesh, const FaceList& faces, unsigned jobs) {
-  const BoxTree tree = tree_of(mesh, faces, jobs);
-  std::vector<std::uint8_t> is_near(mesh.face_count());
-  for_each_range_in_parallel(jobs, is_near.size(), [&](std::size_t first, std::size_t end) {
-    for (std::size_t face = first; face < end; ++face)
-      is_near[face] = tree.any_near(Box(corners_of(mesh, static_cast<std::uint32_t>(face))),
-                                    [](std::uint32_t, const Box&) { return true; });
-  });
-  FaceList near;
-  for (std::uint32_t face = 0; face < is_near.size(); ++face)
-    if (is_near[face] != 0) near.push_back(face);
-  return near;
-}
-
 }  // namespace discmc::meshing

@@ -25,10 +25,6 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
                                          const std::function<void()>& check = {}, unsigned jobs = 1,
                                          const std::vector<bool>& is_wanted = {});
 
-/// Returns all faces of the mesh whose boxes overlap the box of one of these faces. Limit:
-/// triangles.
-FaceList near_faces(const FaceMesh& mesh, const FaceList& faces, unsigned jobs);
-
 }  // namespace discmc::meshing
 
 #endif
