@@ -35,6 +35,24 @@ Field plate(std::uint32_t seed) {
   });
 }
 
+// Joins up to three polygons of each plane to one with several outer rings, as an invalid stream
+// may have them.
+Surface joined_in_planes(const Surface& surface) {
+  std::map<std::pair<discmc::Incidence, std::int32_t>, std::vector<std::size_t>> planes;
+  for (std::size_t i = 0; i < surface.polygons.size(); ++i) {
+    const Polygon polygon = surface.polygons[i];
+    const std::int32_t offset = discmc::plane_offset(polygon.incidence, polygon.rings[0][0]);
+    planes[{polygon.incidence, offset}].push_back(i);
+  }
+  Surface joined{surface.spacing_mm, {}};
+  for (const auto& [plane, indexes] : planes)
+    for (std::size_t i = 0; i < indexes.size(); ++i) {
+      if (i % 3 == 0) joined.polygons.add_polygon(plane.first);
+      for (const Ring& ring : surface.polygons[indexes[i]].rings) joined.polygons.add_ring(ring);
+    }
+  return joined;
+}
+
 // A crossing next to a voxel keeps a distance from it.
 constexpr double margin = Crossings::margin / 2 + 1e-6;
 
@@ -81,6 +99,15 @@ TEST_CASE(
             mesh.vertices_mm.size());
       CHECK(check_mesh(mesh).is_closed());
     }
+  }
+}
+
+TEST_CASE("an interpolated mesh is closed even if polygons have several outer rings") {
+  // In the second plate a new vertex lies on the side of a further outer ring.
+  for (const std::uint32_t seed : {0U, 32U}) {
+    Extracted of = extracted(plate(seed));
+    of.surface = joined_in_planes(of.surface);
+    CHECK(check_mesh(interpolated(of, 0.2)).is_closed());
   }
 }
 

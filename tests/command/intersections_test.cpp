@@ -105,6 +105,12 @@ TEST_CASE("a rounded bounding box contains its triangle, and is at most three ro
   }
 }
 
+TEST_CASE("the box of a coordinate beyond the range of its number format still overlaps it") {
+  const Box box(Corners{{{1e39, -1e39, 0}, {1e39, -1e39, 1}, {1e39, -1e39, 2}}});
+  CHECK(box.overlaps(box));
+  CHECK(box.squared_distance({1e38, -1e38, 1}) <= 2 * 9e38 * 9e38);
+}
+
 TEST_CASE("a bounding box tree finds each pair of overlapping boxes exactly once") {
   for (const std::size_t count : {0U, 1U, 4U, 5U, 100U, 700U}) {
     Chance chance(static_cast<std::uint32_t>(count) + 1);

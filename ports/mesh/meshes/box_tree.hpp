@@ -31,19 +31,24 @@ struct Box {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [lowest, highest] =
           std::minmax({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
-      low[axis] = static_cast<float>(lowest);
-      high[axis] = static_cast<float>(highest);
-      low[axis] -= more_than_rounding(low[axis]);
-      high[axis] += more_than_rounding(high[axis]);
+      low[axis] = rounded(lowest);
+      high[axis] = rounded(highest);
+      low[axis] -= step_from(low[axis]);
+      high[axis] += step_from(high[axis]);
     }
   }
 
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 
-  // Returns at least a step between floats. Avoids the branches and calls of std::nextafter().
-  static float more_than_rounding(float rounded) {
+  static float rounded(double coordinate) {
+    constexpr double greatest = static_cast<double>(std::numeric_limits<float>::max());
+    return static_cast<float>(std::clamp(coordinate, -greatest, greatest));
+  }
+  // Returns at least the distance to the next float. Avoids the branches and calls of
+  // std::nextafter().
+  static float step_from(float number) {
     using Limits = std::numeric_limits<float>;
-    return std::fabs(rounded) * Limits::epsilon() + Limits::min();
+    return std::fabs(number) * Limits::epsilon() + Limits::min();
   }
 
   void include(const Box& box) {

@@ -19,11 +19,11 @@ namespace {
 // The faces of all polygons, before some of them are renewed.
 struct EarlierFaces {
   std::vector<std::uint32_t> corners;
-  std::vector<std::uint32_t> polygons;  // one per face, ascending
-  std::vector<bool> leaves_out;         // one per face, as in MovedTriangles
-  std::vector<bool> is_outdated;        // one per polygon
-  std::vector<bool> may_change;         // one per polygon: if it is not outdated
-  std::size_t first_new;                // vertices from this number on are new
+  std::vector<std::uint32_t> polygons;   // one per face, ascending
+  std::vector<bool> leaves_out;          // one per face, as in MovedTriangles
+  std::vector<bool> is_outdated;         // one per polygon
+  std::vector<std::uint8_t> may_change;  // one per polygon: whether a side may have a new vertex
+  std::size_t first_new;                 // vertices from this number on are new
 };
 
 // The faces of a block of polygons.
@@ -80,7 +80,7 @@ class BlockRefiner {
       const auto polygon = static_cast<std::uint32_t>(i);
       const std::size_t begin = end;
       while (end < earlier.polygons.size() && earlier.polygons[end] == polygon) ++end;
-      if (earlier.is_outdated[polygon] || earlier.may_change[polygon]) {
+      if (earlier.is_outdated[polygon] || earlier.may_change[polygon] != 0) {
         outline_.follow(surface_.polygons[polygon]);
         outline_.find_numbers();
         if (earlier.is_outdated[polygon] || has_vertex_from(earlier.first_new)) {
@@ -237,8 +237,9 @@ class InterpolatedMesh {
   // indexes of these faces.
   FaceList make_faces(std::vector<bool> is_outdated, std::size_t first_new) {
     std::vector<Box> new_vertices;
-    for (std::size_t i = first_new; first_new > 0 && i < mesh_.lattice.size(); ++i)
-      new_vertices.push_back(box_of(mesh_.lattice[i], mesh_.lattice[i]));
+    if (first_new > 0)  // otherwise all polygons are outdated
+      for (std::size_t i = first_new; i < mesh_.lattice.size(); ++i)
+        new_vertices.push_back(box_of(mesh_.lattice[i], mesh_.lattice[i]));
     const EarlierFaces earlier{std::exchange(mesh_.corners, {}), std::exchange(mesh_.polygons, {}),
                                std::exchange(leaves_out_, {}),   std::move(is_outdated),
                                polygons_near(new_vertices),      first_new};
@@ -311,22 +312,25 @@ class InterpolatedMesh {
 
   // Returns, for each polygon, whether the box of its vertices before they moved overlaps one of
   // the boxes. Units: half-steps.
-  std::vector<bool> polygons_near(const std::vector<Box>& boxes) const {
-    std::vector<bool> are_near(surface_.polygons.size());
+  std::vector<std::uint8_t> polygons_near(const std::vector<Box>& boxes) const {
+    std::vector<std::uint8_t> are_near(surface_.polygons.size());
     if (boxes.empty()) return are_near;
     const BoxTree tree(boxes);
-    for (std::size_t i = 0; i < are_near.size(); ++i) {
-      const Ring outer = surface_.polygons[i].rings[0];
-      const VertexBox box = box_around(outer.begin(), outer.end());
-      are_near[i] =
-          tree.any_near(box_of(box.low, box.high), [](std::uint32_t, const Box&) { return true; });
-    }
+    for_each_range_in_parallel(
+        options_.jobs, are_near.size(), [&](std::size_t first, std::size_t end) {
+          for (std::size_t i = first; i < end; ++i) {
+            const Ring corners = surface_.polygons[i].rings.corners();
+            const VertexBox box = box_around(corners.begin(), corners.end());
+            are_near[i] = tree.any_near(box_of(box.low, box.high),
+                                        [](std::uint32_t, const Box&) { return true; });
+          }
+        });
     return are_near;
   }
 
-  // Returns all faces of the polygons that may meet some faces.
+  // Returns all faces of each polygon that may meet one of these faces.
   FaceList faces_near(const FaceList& faces) const {
-    constexpr std::int32_t margin = 2;  // two vertices move by less than a half-step each
+    constexpr std::int32_t margin = 2;  // a vertex of either face moves by at most a half-step
     std::vector<Box> boxes;
     for (const std::uint32_t face : faces) {
       const std::uint32_t* const numbers = mesh_.face(face);
@@ -336,10 +340,10 @@ class InterpolatedMesh {
       const Vertex by{margin, margin, margin};
       boxes.push_back(box_of(box.low - by, box.high + by));
     }
-    const std::vector<bool> are_near = polygons_near(boxes);
+    const std::vector<std::uint8_t> are_near = polygons_near(boxes);
     FaceList found;
     for (std::uint32_t face = 0; face < mesh_.face_count(); ++face)
-      if (are_near[mesh_.polygons[face]]) found.push_back(face);
+      if (are_near[mesh_.polygons[face]] != 0) found.push_back(face);
     return found;
   }
 

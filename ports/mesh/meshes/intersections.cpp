@@ -39,7 +39,7 @@ class OrderedFaces {
     });
   }
 
-  const std::uint32_t& face(std::uint32_t at) const { return ordered_[at].face; }
+  std::uint32_t face(std::uint32_t at) const { return ordered_[at].face; }
   const std::uint32_t* numbers(std::uint32_t at) const { return ordered_[at].numbers.data(); }
   PlacedTriangle triangle(std::uint32_t at) const {
     return {numbers(at), corners_of(mesh_, numbers(at))};
@@ -80,8 +80,8 @@ std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& f
           if (!compared || compared->numbers != ordered.numbers(at))
             compared.emplace(ordered.triangle(at));
           if (!intersect(*compared, ordered.triangle(other))) return;
-          const auto [low, high] = std::minmax(ordered.face(at), ordered.face(other));
-          found.push_back({low, high});
+          const std::uint32_t a = ordered.face(at), b = ordered.face(other);
+          found.push_back({std::min(a, b), std::max(a, b)});
         });
       },
       [&](std::size_t, const std::vector<FacePair>& found) {

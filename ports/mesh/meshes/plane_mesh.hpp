@@ -13,8 +13,8 @@ namespace discmc::meshing {
 FaceMesh plane_mesh(const Surface& surface, const VertexNumbers& vertices,
                     const MeshingOptions& options);
 
-/// Makes only the faces, block by block. consume: called with those of each block, in order; their
-/// corners are the numbers of vertices.
+/// Makes the faces of plane_mesh() block by block, without vertices. consume: called with those of
+/// each block, in order.
 void for_each_face_block(const Surface& surface, const VertexNumbers& vertices,
                          const MeshingOptions& options,
                          const std::function<void(const FaceMesh&)>& consume);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -69,6 +70,7 @@ class Array {
   void grow(std::size_t min_capacity) {
     constexpr std::size_t first = 16;
     const std::size_t capacity = std::max({min_capacity, 2 * capacity_, first});
+    if (capacity > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
     void* const data = std::realloc(static_cast<void*>(data_), capacity * sizeof(T));
     if (data == nullptr) throw std::bad_alloc();
     data_ = static_cast<T*>(data);
