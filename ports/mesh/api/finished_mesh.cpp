@@ -92,7 +92,7 @@ MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& verti
   return polygons;
 }
 
-MeshingOptions triangles_of(const MeshOptions& options) {
+MeshingOptions triangle_options(const MeshOptions& options) {
   MeshingOptions meshing;
   meshing.faces = Faces::triangles;
   meshing.tolerance = options.tolerance;
@@ -116,7 +116,7 @@ Mesh plane_triangles(const Surface& surface, const MeshOptions& options, const S
   });
   const bool reverses = placing && placing->mirrors();
   mesh.triangles.reserve(likely_faces(vertices.size()));
-  for_each_face_block(surface, vertices, triangles_of(options), [&](const FaceMesh& block) {
+  for_each_face_block(surface, vertices, triangle_options(options), [&](const FaceMesh& block) {
     for (std::size_t i = 0; i < block.corners.size(); i += 3) {
       const std::uint32_t* const corners = &block.corners[i];
       mesh.triangles.push_back({corners[reverses ? 2 : 0], corners[1], corners[reverses ? 0 : 2]});
@@ -128,7 +128,7 @@ Mesh plane_triangles(const Surface& surface, const MeshOptions& options, const S
 // Likewise makes a mesh that is interpolated, decimated or has normals.
 Mesh processed_mesh(const Surface& surface, const Crossings* crossings, const MeshOptions& options,
                     const SweepAxes& axes, double level, const OpenAgain& open_again) {
-  MeshingOptions meshing = triangles_of(options);
+  MeshingOptions meshing = triangle_options(options);
   meshing.crossings = crossings;
   FaceMesh faces = build_mesh(surface, meshing);
   if (decimation_of(options).is_wanted())
