@@ -8,7 +8,7 @@
 namespace discmc::meshing {
 namespace {
 
-Box box_around(const Point& point, double distance) {
+Box cube_around(const Point& point, double distance) {
   Corners opposite = {point, point, point};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     opposite[0][axis] -= distance;
@@ -47,7 +47,7 @@ bool OriginalSurface::is_near(const Point& point, double distance) const {
     return true;
   };
   return is_triangle_near(last_) ||
-         tree_.any_near(box_around(point, distance), last_, is_triangle_near);
+         tree_.any_near(cube_around(point, distance), last_, is_triangle_near);
 }
 
 bool OriginalSurface::is_near(const Collapse& collapse, double distance) const {

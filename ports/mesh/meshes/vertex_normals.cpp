@@ -34,13 +34,13 @@ AxisWeights weights_of(const FaceMesh& mesh) {
   return axis_weights({spacing[0], spacing[1], spacing[2]});
 }
 
-Point point_of(const UnitNormal& normal) {
+Point as_point(const UnitNormal& normal) {
   constexpr double one = UnitNormal::one;
   return {normal.x / one, normal.y / one, normal.z / one};
 }
 
 Point normal_along(const LongVector& direction, const AxisWeights& weights) {
-  return point_of(unit_normal(weighted(direction, weights)));
+  return as_point(unit_normal(weighted(direction, weights)));
 }
 
 LongVector whole_area_vector(const Polygon& polygon) {
@@ -121,7 +121,7 @@ void set_stream_normals(const Surface& surface, FaceMesh& mesh) {
   mesh.normals.resize(mesh.lattice.size());
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
     const auto found = surface.normals.find(mesh.lattice[i]);
-    if (found != surface.normals.end()) mesh.normals[i] = point_of(unit_normal(found->second));
+    if (found != surface.normals.end()) mesh.normals[i] = as_point(unit_normal(found->second));
   }
 }
 
