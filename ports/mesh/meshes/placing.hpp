@@ -7,8 +7,8 @@
 
 namespace discmc::meshing {
 
-/// Maps millimetres along the axes of a volume to its placement, so a vertex (x, y, z) of the
-/// lattice, in half-steps, lies at origin + (x axes[0] + y axes[1] + z axes[2]) / 2.
+/// Maps millimetres along the axes of a volume to its placement. A vertex (x, y, z) of the lattice,
+/// in half-steps, reaches origin + (x axes[0] + y axes[1] + z axes[2]) / 2.
 class Placing {
  public:
   /// Limit: is_usable(placement).
