@@ -173,7 +173,8 @@ class InterpolatedMesh {
     mesh_.lattice = vertices_.positions(options_.jobs);
     number_needed_crossings();
     place_vertices();
-    FaceList faces = make_faces(std::vector<bool>(surface_.polygons.size(), true), 0);
+    FaceList faces =
+        make_faces(std::vector<bool>(surface_.polygons.size(), true), mesh_.lattice.size());
     if (options_.separates) separate_faces(std::move(faces));
     return std::move(mesh_);
   }
@@ -237,9 +238,8 @@ class InterpolatedMesh {
   // indexes of these faces.
   FaceList make_faces(std::vector<bool> is_outdated, std::size_t first_new) {
     std::vector<Box> new_vertices;
-    if (first_new > 0)  // otherwise all polygons are outdated
-      for (std::size_t i = first_new; i < mesh_.lattice.size(); ++i)
-        new_vertices.push_back(box_of(mesh_.lattice[i], mesh_.lattice[i]));
+    for (std::size_t i = first_new; i < mesh_.lattice.size(); ++i)
+      new_vertices.push_back(box_of(mesh_.lattice[i], mesh_.lattice[i]));
     const EarlierFaces earlier{std::exchange(mesh_.corners, {}), std::exchange(mesh_.polygons, {}),
                                std::exchange(leaves_out_, {}),   std::move(is_outdated),
                                polygons_near(new_vertices),      first_new};
