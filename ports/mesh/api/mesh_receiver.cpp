@@ -10,11 +10,7 @@
 #include "streams/stream_reader.hpp"
 #include "surface/joined_surface.hpp"
 
-namespace discmc {
-
-using namespace meshing;
-
-namespace {
+namespace discmc::meshing {
 
 // One scan of a link.
 class ReceivedScan {
@@ -51,6 +47,14 @@ class ReceivedScan {
   std::optional<VolumePlacement> placement_;
   StreamReader reader_;
 };
+
+}  // namespace discmc::meshing
+
+namespace discmc {
+
+using namespace meshing;
+
+namespace {
 
 std::array<std::array<double, 4>, 3> matrix_of(const VolumePlacement& placement) {
   std::array<std::array<double, 4>, 3> rows{};
