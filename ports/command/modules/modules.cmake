@@ -9,7 +9,7 @@ function(discmc_in_module library name)
   string(TOLOWER discmc_${name} module)
   add_library(${module}_objects OBJECT ${with_SOURCES})
   set_target_properties(${module}_objects PROPERTIES
-    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden UNITY_BUILD OFF)
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
   foreach(property IN ITEMS COMPILE_DEFINITIONS COMPILE_FEATURES INCLUDE_DIRECTORIES LINK_LIBRARIES)
     set_property(TARGET ${module}_objects PROPERTY ${property} $<TARGET_PROPERTY:${library},${property}>)
   endforeach()

@@ -126,6 +126,11 @@ std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file) {
   return std::make_unique<Pipe>(std::move(in));
 }
 
+bool is_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 std::unique_ptr<ByteSource> bytes_in_memory(std::vector<unsigned char> bytes) {
   return std::make_unique<Memory>(std::move(bytes));
 }

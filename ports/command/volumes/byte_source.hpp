@@ -24,6 +24,9 @@ std::uint64_t whole_of(const Byte* bytes, std::size_t count, bool is_big_endian)
   return value;
 }
 
+/// Returns false if the path is missing or cannot be read.
+bool is_file(const std::filesystem::path& path);
+
 class ByteSource {
  public:
   /// For max_left(): no bound is known.

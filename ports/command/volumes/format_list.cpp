@@ -35,7 +35,7 @@ constexpr std::string_view by_oct_converter =
     "READER('FILE').read_oct_volume()[0].volume), whose READER is E2E, FDA or FDS";
 constexpr std::string_view to_zarr = "convert it, e.g. with: bioformats2raw FILE OUT.zarr";
 constexpr std::size_t anywhere = std::string_view::npos;
-constexpr std::string_view unpack = "unpack it, and give the folder or the file";
+constexpr std::string_view unpack_it = "unpack it, and give the folder or the file";
 
 // The first format whose ending or magic matches counts.
 const std::vector<VolumeFormat>& formats() {
@@ -164,9 +164,9 @@ const std::vector<VolumeFormat>& formats() {
              "fetch the files with a client that takes it apart, such as dicomweb_client"),
       unread("a web page", {".html", ".htm"}, {{anywhere, "<html"}, {0, "<!DOCTYPE"}},
              "download the file again, signed in where that is needed"),
-      unread("tar", {".tar", ".tgz"}, {}, unpack),
-      unread("7z", {".7z"}, {{0, "7z\xbc\xaf\x27\x1c"}}, unpack),
-      unread("RAR", {".rar"}, {{0, "Rar!\x1a"}}, unpack),
+      unread("tar", {".tar", ".tgz"}, {}, unpack_it),
+      unread("7z", {".7z"}, {{0, "7z\xbc\xaf\x27\x1c"}}, unpack_it),
+      unread("RAR", {".rar"}, {{0, "Rar!\x1a"}}, unpack_it),
   };
   return list;
 }

@@ -29,7 +29,7 @@ class HeaderBytes {
       : bytes_(bytes, '\0'), is_turned_(is_big_endian != is_native_big_endian()) {
     if (stream.read(bytes_.data(), bytes) < bytes)
       fail(stream.file(), "the header of " + std::to_string(bytes) + " bytes is incomplete",
-           "copy or export the file again");
+           copy_or_export);
   }
 
   std::string_view text(std::size_t offset, std::size_t count) const {

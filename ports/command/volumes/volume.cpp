@@ -129,8 +129,7 @@ std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const VolumeFormat&
 // Checks the first bytes of an existing file, whose format may differ from its name's.
 void require_named_content(const std::filesystem::path& file) {
   const std::filesystem::path path = array_name(file).file;
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return;
+  if (!is_file(path)) return;
   ByteStream stream(path);
   const VolumeFormat* const format = format_of_head(stream.peek(magic_bytes));
   if (format != nullptr && !is_read(*format)) fail_unread(file, format);

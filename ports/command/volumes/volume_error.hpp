@@ -22,6 +22,9 @@ class VolumeError : public std::runtime_error {
   std::string fault_, remedy_;
 };
 
+/// A remedy for damaged files.
+inline constexpr const char* copy_or_export = "copy or export the file again";
+
 /// Throws a VolumeError.
 [[noreturn]] void fail(const std::string& file, const std::string& fault,
                        const std::string& remedy);

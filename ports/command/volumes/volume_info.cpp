@@ -101,7 +101,7 @@ void require_possible(const std::string& file, const std::string& what, std::uin
     fail(file,
          what + " of " + std::to_string(bytes) + " bytes cannot be in a file of " +
              std::to_string(stored),
-         "copy or export the file again");
+         copy_or_export);
 }
 
 void set_part(VolumeInfo& info, const std::string& file, const std::array<std::uint32_t, 3>& dims,

@@ -187,7 +187,7 @@ void skip_to_end(ByteStream& stream, std::uint64_t bytes) {
     fail(stream.file(),
          "the last " + std::to_string(bytes) + " bytes are data, but the file has only " +
              std::to_string(*left),
-         "copy or export the file again");
+         copy_or_export);
   stream.skip(*left - bytes);
 }
 
@@ -250,7 +250,7 @@ void SliceStream::fail_in_slice(std::uint64_t missing) const {
   if (missing > 0) what += std::to_string(missing) + " bytes of it are missing";
   const std::string damage = stream_.damage();
   if (missing > 0 && !damage.empty()) what += "; ";
-  fail(stream_.file(), what + damage, "copy or export the file again");
+  fail(stream_.file(), what + damage, copy_or_export);
 }
 
 }  // namespace discmc::command

@@ -123,8 +123,7 @@ std::vector<Piece> pieces_of(const std::filesystem::path& file, const pugi::xml_
            "write it again");
     const std::string_view name = node.attribute("Source").value();
     found.push_back({beside(file, name), extent});
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(found.back().file, ignored))
+    if (!is_file(found.back().file))
       fail(file, "the piece " + shown(name) + " is missing", "copy it to the folder of this file");
   }
   if (found.empty()) fail(file, "it lists no pieces", "write it again with all pieces");

@@ -1,6 +1,4 @@
 // A zip of DICOM or pictures: unpacked into a temporary folder and read from there.
-#include <system_error>
-
 #include "volumes/formats/readers.hpp"
 
 #ifdef DISCMC_WITH_LIBARCHIVE
@@ -20,9 +18,8 @@
 namespace discmc::command {
 
 std::optional<std::filesystem::path> archive_of(const std::filesystem::path& name) {
-  std::error_code unknown;
   for (std::filesystem::path file = name; file.has_relative_path(); file = file.parent_path())
-    if (std::filesystem::is_regular_file(file, unknown)) return file;
+    if (is_file(file)) return file;
   return std::nullopt;
 }
 

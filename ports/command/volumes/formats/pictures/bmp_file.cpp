@@ -13,8 +13,6 @@
 namespace discmc::command {
 namespace {
 
-constexpr const char* remedy = "copy or export the file again";
-
 // The headers: little-endian fields at fixed offsets.
 class BmpHeader {
  public:
@@ -52,7 +50,7 @@ class BmpHeader {
 
  private:
   std::uint32_t field(std::size_t at, std::size_t size) const {
-    if (at + size > bytes_.size()) fail(file_, "the BMP file is cut off", remedy);
+    if (at + size > bytes_.size()) fail(file_, "the BMP file is cut off", copy_or_export);
     return static_cast<std::uint32_t>(whole_of(&bytes_[at], size, false));
   }
 
@@ -91,7 +89,7 @@ class BmpFile final : public SinglePicture {
     std::vector<unsigned char> row(row_bytes);
     for (std::uint32_t i = 0; i < picture.height; ++i) {
       if (!in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row_bytes)))
-        fail(file(), "the BMP file is cut off", remedy);
+        fail(file(), "the BMP file is cut off", copy_or_export);
       const std::size_t y = bmp.is_from_the_top() ? i : picture.height - 1 - i;
       unsigned char* const out = samples + y * picture.width;
       if (bmp.bits() <= 8) {
@@ -125,7 +123,7 @@ class BmpFile final : public SinglePicture {
     std::vector<char> stored(std::size_t{bmp.colours()} * bmp.colour_bytes());
     in.seekg(static_cast<std::streamoff>(bmp.palette_at()));
     if (!in.read(stored.data(), static_cast<std::streamsize>(stored.size())))
-      fail(file(), "the BMP file is cut off", remedy);
+      fail(file(), "the BMP file is cut off", copy_or_export);
     Palette palette(bmp.colours());
     for (std::size_t i = 0; i < palette.size(); ++i)
       for (std::size_t part = 0; part < 3; ++part)

@@ -80,8 +80,7 @@ class JpegFile final : public SinglePicture {
 
  private:
   [[noreturn]] void fail_damaged() const {
-    fail(file(), "the JPEG file is damaged (" + std::string(damage_.text) + ")",
-         "copy or export the file again");
+    fail(file(), "the JPEG file is damaged (" + std::string(damage_.text) + ")", copy_or_export);
   }
 
   void open() {

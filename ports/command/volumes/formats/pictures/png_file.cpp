@@ -60,7 +60,7 @@ class PngFile final : public SinglePicture {
 
  private:
   [[noreturn]] void fail_damaged() const {
-    fail(file(), "the PNG file is damaged (" + damage_ + ")", "copy or export the file again");
+    fail(file(), "the PNG file is damaged (" + damage_ + ")", copy_or_export);
   }
 
   static void keep_damage(png_structp png, png_const_charp message) {

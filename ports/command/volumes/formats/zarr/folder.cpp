@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::string_view metadata_names[] = {".zgroup", ".zarray", "zarr.json"};
 
-bool is_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored);
-}
-
 }  // namespace
 
 bool is_zarr(const std::filesystem::path& path) {

@@ -1,17 +1,10 @@
 #include "description.hpp"
 
-#include <system_error>
-
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_stream.hpp"
 
 namespace discmc::command {
 namespace {
-
-bool is_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(file, ignored);
-}
 
 Json read_json(const std::filesystem::path& file) {
   constexpr std::size_t max_bytes = 1U << 24;

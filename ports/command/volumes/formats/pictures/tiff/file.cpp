@@ -15,8 +15,6 @@
 namespace discmc::command {
 namespace {
 
-constexpr const char* remedy = "copy or export the file again";
-
 struct Close {
   void operator()(TIFF* tiff) const { TIFFClose(tiff); }
 };
@@ -27,7 +25,7 @@ OpenTiff opened(const std::filesystem::path& file) {
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   OpenTiff tiff(TIFFOpen(file.c_str(), "r"));
-  if (!tiff) fail(file, "this is not a TIFF file, or it is damaged", remedy);
+  if (!tiff) fail(file, "this is not a TIFF file, or it is damaged", copy_or_export);
   return tiff;
 }
 
@@ -44,9 +42,10 @@ class TiffFile final : public PictureFile {
     constexpr std::uint64_t max_of_a_byte = 16384;
     const std::uint64_t bytes = page_of(tiff_.get()).plane_bytes();
     if (depth_ > 1 && depth_ / max_of_a_byte > file_bytes_ / std::max<std::uint64_t>(1, bytes))
-      fail(file, "pages of " + std::to_string(depth_) + " slices do not fit in the file", remedy);
+      fail(file, "pages of " + std::to_string(depth_) + " slices do not fit in the file",
+           copy_or_export);
     constexpr std::uint64_t max_pages = std::uint64_t{1} << 31;
-    if (pages() > max_pages) fail(file, "it has too many slices", remedy);
+    if (pages() > max_pages) fail(file, "it has too many slices", copy_or_export);
   }
 
   std::vector<Hyperstack> hyperstacks(const std::string& axes) override {
@@ -138,7 +137,7 @@ class TiffFile final : public PictureFile {
   }
 
   [[noreturn]] void fail_page(std::uint32_t page) const {
-    fail(file_, "page " + std::to_string(page) + " (the first is 0) is damaged", remedy);
+    fail(file_, "page " + std::to_string(page) + " (the first is 0) is damaged", copy_or_export);
   }
 
   static std::optional<Resolution> resolution(const TiffPage& page) {
@@ -183,7 +182,7 @@ class TiffFile final : public PictureFile {
       if (is_described[i]) continue;
       const TiffPage page = go_to(i);
       if (!page.is_mask && page.width == first.width && page.height == first.height)
-        fail(file_, "the description lacks page " + std::to_string(i), remedy);
+        fail(file_, "the description lacks page " + std::to_string(i), copy_or_export);
       ++left_out;
     }
     if (left_out > 0)
@@ -207,7 +206,7 @@ class TiffFile final : public PictureFile {
       fail(file_,
            "the description promises " + std::to_string(planes) + " planes, and the file holds " +
                std::to_string(std::max<std::uint64_t>(directories_, planes_behind)),
-           remedy);
+           copy_or_export);
   }
 
   // Returns the arrays of tifffile, one after another. Returns none if they are single planes, and

@@ -237,7 +237,7 @@ class Images {
            "the OME-XML describes " + std::to_string(run.count) + " planes from page " +
                std::to_string(run.first_page) + " on, and " + shown(file.filename().string()) +
                " has " + std::to_string(pages) + " pages",
-           "copy or export the file again");
+           copy_or_export);
     if (run.count > 0) stack.runs.push_back(run);
   }
 

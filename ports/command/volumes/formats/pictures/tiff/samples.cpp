@@ -11,8 +11,6 @@
 namespace discmc::command {
 namespace {
 
-constexpr const char* remedy = "copy or export the file again";
-
 bool is_half(const TiffPage& page) {
   return page.bits == 16 && page.format == SAMPLEFORMAT_IEEEFP;
 }
@@ -79,7 +77,7 @@ void TiffSamples::read_behind(TIFF* tiff, const TiffPage& page, std::uint64_t at
   std::ifstream in(file_, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(at));
   if (!in.read(reinterpret_cast<char*>(stored), static_cast<std::streamsize>(page.plane_bytes())))
-    fail(file_, "the file ends within its samples", remedy);
+    fail(file_, "the file ends within its samples", copy_or_export);
   if (TIFFIsByteSwapped(tiff) != 0) swap_bytes(page, stored);
   if (!is_direct(page)) convert(page, channel, stored, samples);
 }
@@ -169,7 +167,7 @@ void TiffSamples::read_tile(TIFF* tiff, const TiffPage& page, std::uint32_t tile
 
 void TiffSamples::fail_page(TIFF* tiff) const {
   fail(file_, "page " + std::to_string(TIFFCurrentDirectory(tiff)) + " (the first is 0) is damaged",
-       remedy);
+       copy_or_export);
 }
 
 }  // namespace discmc::command
