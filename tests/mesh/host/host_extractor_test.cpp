@@ -546,6 +546,20 @@ TEST_CASE("a slab is independent of a previous slab that stopped above its last 
   }
 }
 
+TEST_CASE("a scan is independent of a previous slab that stopped at any row") {
+  const BitVolume volume = random({20, 9, 9}, 100, 3);
+  const SlabScan slab{volume, Border::closed, 2, 5, 100};
+  const std::vector<uint8_t> voxels = voxels_of_slab(volume, 2, 5);
+  const EventLog expected = expected_of(volume);
+  HostExtractor extractor;
+  for (uint32_t samples = 20; samples < voxels.size(); samples += 20) {
+    CAPTURE(samples);
+    const Started stopped(extractor, slab.limits());
+    require_ok(extractor.push(voxels.data(), samples).status);
+    CHECK(scanned(extractor, volume).events == expected.events);
+  }
+}
+
 // ---- growing memory ----
 
 // Each of its 1,682 holes takes four slots, of 4,096.
