@@ -562,14 +562,6 @@ TEST_CASE("a scan is independent of a previous slab that stopped at any row") {
 
 // ---- growing memory ----
 
-// Each of its 1,682 holes takes four slots, of 4,096.
-TEST_CASE("a host extractor sends the same events if holes need more slots than there are") {
-  const BitVolume sieve = volume_of(
-      {60, 60, 1}, [](uint32_t x, uint32_t y, uint32_t) { return x % 2 == 0 || y % 2 == 0; });
-  HostExtractor extractor;
-  CHECK(scanned(extractor, sieve).events == expected_of(sieve).events);
-}
-
 TEST_CASE("a host extractor sends the same events if all of its memory grows") {
   MinimumHost extractor;
   std::vector<BitVolume> all = volumes();
