@@ -4,6 +4,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "byte_source.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
 
@@ -30,15 +31,12 @@ std::string list_of(const std::vector<NamedArray>& arrays) {
 
 ArrayName array_name(const std::filesystem::path& name) {
   const std::string& text = name.native();
-  const auto is_file = [&text](std::size_t end) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(text.substr(0, end), ignored);
-  };
   std::error_code ignored;
   const std::size_t first = text.find(":/");
   if (first == std::string::npos || std::filesystem::exists(name, ignored)) return {name, {}};
   std::size_t colon = first;  // names of folders and arrays may contain colons
-  while (colon != std::string::npos && !is_file(colon)) colon = text.find(":/", colon + 1);
+  while (colon != std::string::npos && !is_file(text.substr(0, colon)))
+    colon = text.find(":/", colon + 1);
   if (colon == std::string::npos) colon = first;
   return {text.substr(0, colon), text.substr(colon + 1)};
 }

@@ -164,14 +164,14 @@ class Blocks {
       fail(stream_.file(),
            "the array ends before its samples" +
                (stream_.damage().empty() ? "" : ": " + stream_.damage()),
-           "copy or export the file again");
+           copy_or_export);
     return whole_of(bytes, number_bytes_, is_big_endian_);
   }
 
   [[noreturn]] void refuse(std::uint64_t found, std::uint64_t volume) const {
     fail(stream_.file(),
          "the array has " + std::to_string(found) + " bytes, the volume " + std::to_string(volume),
-         "copy or export the file again");
+         copy_or_export);
   }
 
   ByteStream& stream_;

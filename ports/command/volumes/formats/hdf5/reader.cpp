@@ -42,7 +42,7 @@ class Hdf5Blocks final : public NumberedSlices {
       fail(source(),
            "slice " + std::to_string(slice) + " (the first is 0) of " +
                std::to_string(info().dims[2]) + " cannot be read; it is damaged or missing",
-           "copy or export the file again");
+           copy_or_export);
   }
 
   Hdf5Dataset dataset_;

@@ -43,8 +43,7 @@ std::unique_ptr<PictureFile> open_picture(const std::filesystem::path& file) {
     case PictureKind::none:
       break;
   }
-  fail(file, "this is not a PNG, TIFF, JPEG or BMP file, or it is damaged",
-       "copy or export the file again");
+  fail(file, "this is not a PNG, TIFF, JPEG or BMP file, or it is damaged", copy_or_export);
 }
 
 }  // namespace discmc::command
