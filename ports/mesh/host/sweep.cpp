@@ -76,7 +76,6 @@ bool Sweep::sweep(const detail::trace::SweptRow& row, const BitIntake&, const Si
 }
 
 bool Sweep::flush(const Sink& sink, Statistics& statistics) {
-  if (is_due_ && !deliver(sink, statistics)) return false;
   process_edges(statistics);
   return deliver(sink, statistics);
 }

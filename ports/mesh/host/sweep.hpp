@@ -24,7 +24,11 @@ class Sweep {
 
   /// The capacities are ignored.
   void start(Arena& arena, const Capacities& capacities);
-  void set_sizes(const ChainSizes& sizes) { chains_.set_sizes(sizes); }
+  /// Sets the initial sizes, and the initial number of slots. Limit: before the first start().
+  void set_sizes(const ChainSizes& sizes, std::uint32_t slots) {
+    chains_.set_sizes(sizes);
+    max_slots_ = slots;
+  }
   void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();
 

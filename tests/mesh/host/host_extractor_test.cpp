@@ -26,11 +26,11 @@ namespace {
 constexpr Capacities much{1000000, 1000};
 
 // A plate with holes of many shapes: rings of many runs, and rings that touch themselves.
-BitVolume plate() {
-  const Size size{60, 50, 3};
+BitVolume plate(uint32_t width, uint32_t height) {
+  const Size size{width, height, 3};
   const BitVolume noise = random(size, 190, 6);
   return volume_of(size, [&](uint32_t x, uint32_t y, uint32_t z) {
-    const bool is_rim = x == 0 || y == 0 || x == 59 || y == 49;
+    const bool is_rim = x == 0 || y == 0 || x + 1 == width || y + 1 == height;
     return z == 1 && (is_rim || noise.at(x, y, z));
   });
 }
@@ -42,7 +42,7 @@ std::vector<BitVolume> volumes() {
           ball({30, 30, 30}, {29, 29, 29}, 600),
           box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}),
           box({4200, 3, 3}, {0, 1, 1}, {4199, 1, 1}),
-          plate()};
+          plate(60, 50)};
 }
 
 struct SlabScan {
@@ -551,12 +551,49 @@ TEST_CASE("a scan is independent of a previous slab that stopped at any row") {
   const SlabScan slab{volume, Border::closed, 2, 5, 100};
   const std::vector<uint8_t> voxels = voxels_of_slab(volume, 2, 5);
   const EventLog expected = expected_of(volume);
-  HostExtractor extractor;
   for (uint32_t samples = 20; samples < voxels.size(); samples += 20) {
     CAPTURE(samples);
+    HostExtractor extractor;
     const Started stopped(extractor, slab.limits());
     require_ok(extractor.push(voxels.data(), samples).status);
     CHECK(scanned(extractor, volume).events == expected.events);
+  }
+}
+
+TEST_CASE("a slab sends the same events if its sink refuses any one of the last") {
+  const BitVolume volume = upright(plate(20, 20));
+  const SlabScan scan{volume, Border::closed, 5, 15};
+  HostExtractor extractor;
+  const EventLog expected = scan.by(extractor);
+  for (uint64_t left = 1; left < 300; ++left) {
+    CAPTURE(left);
+    const uint64_t refused = expected.events.size() - left;
+    CHECK(scan.by(extractor, [&](uint64_t offer) { return offer == refused; }).events ==
+          expected.events);
+  }
+}
+
+// ---- holes ----
+
+// The corner of a cube, cut off by a slope, with a pit in the slope near each of its ends. Bits of
+// `mirrored`: the axes that run backwards.
+BitVolume slope_with_pits(uint32_t mirrored) {
+  constexpr uint32_t size = 24;
+  return volume_of({size, size, size}, [&](uint32_t x, uint32_t y, uint32_t z) {
+    if (mirrored & 1) x = size - 1 - x;
+    if (mirrored & 2) y = size - 1 - y;
+    if (mirrored & 4) z = size - 1 - z;
+    const bool is_pit = std::min({x, y, z}) == 3 && std::max({x, y, z}) == 13;
+    return x + y + z < 20 && !is_pit;
+  });
+}
+
+TEST_CASE("a hole waits for the ring around it near any of its corners") {
+  HostExtractor extractor;
+  for (uint32_t mirrored = 0; mirrored < 8; ++mirrored) {
+    const BitVolume volume = slope_with_pits(mirrored);
+    CAPTURE(mirrored);
+    CHECK(scanned(extractor, volume).events == expected_of(volume).events);
   }
 }
 
@@ -596,6 +633,16 @@ TEST_CASE("a slab of a structured volume has the parts of other extractors if al
           CHECK(parts_of(scan.by(extractor), scan) == parts_of(scan.by(other), scan));
         });
       }
+}
+
+TEST_CASE("a host extractor sends the same events for any initial number of slots") {
+  const BitVolume volume = plate(20, 20);
+  const EventLog expected = expected_of(volume);
+  for (uint32_t slots = 1; slots < 300; ++slots) {
+    CAPTURE(slots);
+    MinimumHost extractor(0, slots);
+    CHECK(scanned(extractor, volume).events == expected.events);
+  }
 }
 
 TEST_CASE("a host extractor has the same parts for any size of its queues") {

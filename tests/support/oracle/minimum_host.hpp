@@ -1,4 +1,4 @@
-// A host extractor with minimum sizes, so that its queues and areas of nodes grow often.
+// A host extractor with minimum sizes, so that its queues, nodes and slots grow often.
 #pragma once
 
 #include "host/host_extractor.hpp"
@@ -7,12 +7,12 @@ namespace discmc::reference {
 
 class MinimumHost : public HostExtractor {
  public:
-  /// more_seats: additional seats of each queue.
-  explicit MinimumHost(uint32_t more_seats = 0) {
+  /// more_seats: additional seats of each queue. slots: the initial number of slots.
+  explicit MinimumHost(uint32_t more_seats = 0, uint32_t slots = 1) {
     host::ChainSizes sizes = host::ChainSizes::minimum();
     sizes.seats += more_seats;
     sizes.seats_at_seam += more_seats;
-    sweep().set_sizes(sizes);
+    sweep().set_sizes(sizes, slots);
   }
 };
 
