@@ -59,7 +59,31 @@ static size_t stream_write(void* context, const uint8_t* bytes, size_t count) {
   return count;
 }
 
-/* ---- the scanner ---- */
+/* ---- the device ---- */
+
+static const discmc_store_config device = {
+    .read = flash_read,
+    .program = flash_program,
+    .erase = flash_erase,
+    .program_bytes = PROGRAM_BYTES,
+    .block_bytes = BLOCK_BYTES,
+    .blocks = BLOCKS,
+    .max_bytes = sizeof encoder_memory + sizeof extractor_memory,
+    .memory = {store_memory, sizeof store_memory},
+};
+static const discmc_encoder_config stream_config = {
+    .kind = &discmc_regions,
+    .label = {.depth = SIZE},
+    .memory = {encoder_memory, sizeof encoder_memory},
+    .output = {NULL, stream_write, stream_unsent},
+};
+static discmc_extractor_config scan = {
+    .kind = &discmc_plain_u8,
+    .limits = {SIZE, SIZE, DISCMC_CLOSED},
+    .threshold = THRESHOLD,
+    .memory = {extractor_memory, sizeof extractor_memory},
+    .sink = {NULL, discmc_encoder_accept},
+};
 
 /* Waits until a call of the store is over; only the scan pauses. */
 static discmc_status complete(discmc_status status) {
@@ -67,47 +91,36 @@ static discmc_status complete(discmc_status status) {
   return status;
 }
 
-/* At power-on: continues from the newest checkpoint, or begins a scan. */
-static discmc_status power_on(void) {
-  const discmc_store_config device = {
-      .read = flash_read,
-      .program = flash_program,
-      .erase = flash_erase,
-      .program_bytes = PROGRAM_BYTES,
-      .block_bytes = BLOCK_BYTES,
-      .blocks = BLOCKS,
-      .max_bytes = sizeof encoder_memory + sizeof extractor_memory,
-      .memory = {store_memory, sizeof store_memory},
-  };
-  const discmc_encoder_config stream_config = {
-      .kind = &discmc_regions,
-      .label = {.depth = SIZE},
-      .memory = {encoder_memory, sizeof encoder_memory},
-      .output = {NULL, stream_write, stream_unsent},
-  };
-  discmc_extractor_config scan = {
-      .kind = &discmc_plain_u8,
-      .limits = {SIZE, SIZE, DISCMC_CLOSED},
-      .threshold = THRESHOLD,
-      .memory = {extractor_memory, sizeof extractor_memory},
-      .sink = {NULL, discmc_encoder_accept},
-  };
-  discmc_status status = discmc_store_start(&store, &device);
-  if (status != DISCMC_OK) return status;
-  if (discmc_store_get_info(store).has_checkpoint) {
-    const discmc_memory parts[] = {stream_config.memory, scan.memory};
-    status = discmc_store_restore(store, parts, 2);
-    if (status == DISCMC_OK) status = discmc_encoder_restore(&encoder, &stream_config);
-    scan.sink.context = encoder;
-    if (status == DISCMC_OK) status = discmc_extractor_restore(&extractor, &scan);
-    if (status == DISCMC_OK) stream_bytes = (size_t)discmc_encoder_stream_bytes(encoder);
-  } else {
-    status = complete(discmc_store_discard(store));
-    if (status == DISCMC_OK) status = discmc_encoder_start(&encoder, &stream_config);
-    scan.sink.context = encoder;
-    if (status == DISCMC_OK) status = discmc_extractor_start(&extractor, &scan);
-  }
+/* Waits until the output has accepted what a call of the extractor sends. */
+static discmc_status resumed(discmc_status status) {
+  while (status == DISCMC_SUSPENDED) status = discmc_extractor_resume(extractor);
   return status;
+}
+
+/* Before the first row of a scan: no older checkpoint may be continued from now on. */
+static discmc_status begin_scan(void) {
+  discmc_status status = complete(discmc_store_discard(store));
+  if (status == DISCMC_OK) status = discmc_encoder_start(&encoder, &stream_config);
+  scan.sink.context = encoder;
+  return status == DISCMC_OK ? resumed(discmc_extractor_start(&extractor, &scan)) : status;
+}
+
+/* Continues from the newest checkpoint, unless another build has saved it. */
+static discmc_status restore(void) {
+  const discmc_memory parts[] = {stream_config.memory, scan.memory};
+  discmc_status status = discmc_store_restore(store, parts, 2);
+  if (status == DISCMC_OK) status = discmc_encoder_restore(&encoder, &stream_config);
+  scan.sink.context = encoder;
+  if (status == DISCMC_OK) status = discmc_extractor_restore(&extractor, &scan);
+  if (status == DISCMC_OK) stream_bytes = (size_t)discmc_encoder_stream_bytes(encoder);
+  return status;
+}
+
+static discmc_status power_on(void) {
+  const discmc_status status = discmc_store_start(&store, &device);
+  if (status != DISCMC_OK) return status;
+  if (discmc_store_get_info(store).has_checkpoint && restore() == DISCMC_OK) return DISCMC_OK;
+  return begin_scan();
 }
 
 /* Suspended: bytes are unsent; call it again, before the next row. */
@@ -117,6 +130,15 @@ static discmc_status save(void) {
   if (status == DISCMC_OK) status = discmc_extractor_save(extractor, &parts[1]);
   return status == DISCMC_OK ? complete(discmc_store_save(store, parts, 2)) : status;
 }
+
+/* After the last slice. */
+static discmc_status end_scan(void) {
+  const discmc_status status = resumed(discmc_extractor_finish(extractor));
+  while (stream_unsent(NULL) > 0) continue; /* or sleep */
+  return status == DISCMC_OK ? complete(discmc_store_discard(store)) : status;
+}
+
+/* ---- the scanner ---- */
 
 static uint8_t sample_at(int32_t x, int32_t y, int32_t z) { /* of a ball, densest in its middle */
   const int32_t a = 2 * x - SIZE + 1, b = 2 * y - SIZE + 1, c = 2 * z - SIZE + 1;
@@ -132,9 +154,12 @@ static discmc_status scan_to(uint32_t last) {
     for (y = 0; status == DISCMC_OK && y < SIZE; ++y) {
       uint8_t row[SIZE];
       for (x = 0; x < SIZE; ++x) row[x] = sample_at(x, y, (int32_t)z);
-      status = discmc_extractor_push(extractor, DISCMC_U8, row, SIZE, 1).status;
+      status = resumed(discmc_extractor_push(extractor, DISCMC_U8, row, SIZE, 1).status);
     }
-    if (status == DISCMC_OK && z % 8 == 7) status = save();
+    if (status == DISCMC_OK && z % 8 == 7) {
+      do status = save();
+      while (status == DISCMC_SUSPENDED);
+    }
   }
   return status;
 }
@@ -154,8 +179,7 @@ int main(void) {
 
   if (status == DISCMC_OK) status = power_on();
   if (status == DISCMC_OK) status = scan_to(SIZE);
-  if (status == DISCMC_OK) status = discmc_extractor_finish(extractor);
-  if (status == DISCMC_OK) status = complete(discmc_store_discard(store)); /* never continued */
+  if (status == DISCMC_OK) status = end_scan();
   while (written < stream_bytes)
     written += fwrite(stream + written, 1, stream_bytes - written, stdout);
   return status == DISCMC_OK ? 0 : 1;
