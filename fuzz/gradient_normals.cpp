@@ -86,8 +86,8 @@ Events events_of(const SampleVolume<Sample>& volume, const Setting& setting, con
 
 template <class Sample>
 void check(const SampleVolume<Sample>& volume, const Setting& setting, const Script& script) {
-  const Events events = events_of<GradientIntake<Sample>>(volume, setting, script);
-  require(without_normals(events) == events_of<BitIntake>(volume, setting, script),
+  const Events events = events_of<detail::trace::GradientIntake<Sample>>(volume, setting, script);
+  require(without_normals(events) == events_of<detail::trace::BitIntake>(volume, setting, script),
           "normals change the events");
   if (!script.is_whole()) return;
   for_each_start(events, [&](const Vertex& vertex, OctahedralNormal normal, bool is_corner) {

@@ -83,7 +83,7 @@ constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices
 
 namespace detail::sizing {
 
-template <class Index, class Intake = BitIntake>
+template <class Index, class Intake = detail::trace::BitIntake>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
   return Intake::bytes_for(limits) +
@@ -99,12 +99,12 @@ constexpr bool is_valid(const Capacities& capacities) {
   return capacities.slots >= minimum_capacities().slots && capacities.slots <= max_slots<Index>;
 }
 
-template <class Index, class Intake = BitIntake>
+template <class Index, class Intake = detail::trace::BitIntake>
 constexpr uint64_t minimum_bytes(const Limits& limits) {
   return bytes_for<Index, Intake>(limits, minimum_capacities());
 }
 
-template <class Index, class Intake = BitIntake>
+template <class Index, class Intake = detail::trace::BitIntake>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities minimum = minimum_capacities();
   const uint64_t used = minimum_bytes<Index, Intake>(limits) + Arena::alignment;

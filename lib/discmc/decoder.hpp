@@ -49,8 +49,8 @@ class Decoder {
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// For a Receiver: begins the next scan, with the packet that the reader `before` holds.
-  void start_next(const PacketReader& before);
-  const PacketReader& packets() const { return packets_; }
+  void start_next(const detail::stream::PacketReader& before);
+  const detail::stream::PacketReader& packets() const { return packets_; }
 
   /// Ends the input: an unfinished region or fragment is reported as lost. Without a trailer there
   /// is no `finish` event. Status::suspended: call finish() again. Errors: not_started, bad_sink.
@@ -66,7 +66,7 @@ class Decoder {
   enum class Stage : uint8_t { collect, whole_regions, records, record, mark, packet_mark };
 
   void clear();
-  void open(PacketReader::Completed arrival);
+  void open(detail::stream::PacketReader::Completed arrival);
   void pass_whole_regions();
   void lose_open();
   void note_application();
@@ -87,7 +87,7 @@ class Decoder {
 
   Sink sink_;
   RecordsPacketSink packet_sink_;
-  PacketReader packets_;
+  detail::stream::PacketReader packets_;
   bool is_started_ = false;
   bool is_start_sent_ = false;
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event

@@ -121,7 +121,7 @@ class Encoder {
   void (*write_normals_)(Encoder& encoder, Model& model, uint32_t words) = nullptr;
   Record record_;
   OctahedralNormal normals_[Record::max_words] = {};  // by the word of the record
-  PacketWriter packets_;
+  detail::stream::PacketWriter packets_;
   detail::Seal seal_;
 };
 

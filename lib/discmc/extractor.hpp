@@ -23,6 +23,20 @@
 
 namespace discmc {
 
+/// An extractor, by the type that numbers its slots. Declare one of these; BasicExtractor below has
+/// the functions.
+template <class Index, bool is_lean = false>
+class Extractor;
+
+/// For firmware: up to 32,759 slots.
+using Extractor16 = Extractor<uint16_t>;
+/// For hosts. The events are those of an Extractor16 if the capacities are equal.
+using Extractor32 = Extractor<uint32_t>;
+/// Needs less flash (FOOTPRINT.md): no open border, no slabs, no counts of cells, facets and
+/// classic triangles. Each hole is a loose fragment, so use a Joiner. Include
+/// discmc/trace/extractor_definitions.hpp where you use it: the library does not contain its code.
+using LeanExtractor16 = Extractor<uint16_t, true>;
+
 /// The peak use of a scan: the most slots and holes in use at once. With 1,168 slots more than
 /// that, the same scan sends no loose fragments (docs/memory.md).
 struct Peaks {
@@ -30,12 +44,9 @@ struct Peaks {
   uint32_t holes;
 };
 
-/// The functions that all extractors have: an extractor accepts the samples of a scan, and sends
-/// its regions to a Sink. Declare an Extractor or a NormalExtractor (normal_extractor.hpp).
-///
-/// Index numbers the slots: uint16_t (up to 32,759 slots) for firmware, uint32_t for hosts. It does
-/// not change the events if the capacities are equal. Intake and Sweep are internal. An
-/// extractor is not copied, as two copies would write to the same memory.
+/// The functions that all extractors have, also a NormalExtractor (normal_extractor.hpp): an
+/// extractor accepts the samples of a scan, and sends its regions to a Sink. Intake and Sweep are
+/// internal. An extractor is not copied, as two copies would write to the same memory.
 template <class Index, class Intake, class Sweep>
 class BasicExtractor {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
@@ -182,7 +193,7 @@ class BasicExtractor {
   Status begin();
   void clear();
   Status ready_for_samples();
-  void note_origin(RowOrigin origin);
+  void note_origin(detail::trace::RowOrigin origin);
 
   bool work();
   uint32_t rows_outside(int32_t y) const;
@@ -220,11 +231,12 @@ class BasicExtractor {
   detail::Seal seal_;
 };
 
-/// The extractor for firmware, and for hosts without special needs. Include
-/// discmc/trace/extractor_definitions.hpp to let the compiler inline more.
-template <class Index, bool is_lean = false>
+/// The extractor without normals. Include discmc/trace/extractor_definitions.hpp to let the
+/// compiler inline more.
+template <class Index, bool is_lean>
 class Extractor
-    : public BasicExtractor<Index, BitIntake, detail::trace::Sweep<Index, NoNormal, is_lean>> {
+    : public BasicExtractor<Index, detail::trace::BitIntake,
+                            detail::trace::Sweep<Index, detail::trace::NoNormal, is_lean>> {
  public:
   Extractor() = default;
 
@@ -232,13 +244,6 @@ class Extractor
   Extractor(const Extractor&) = default;
   Extractor& operator=(const Extractor&) = default;
 };
-
-using Extractor16 = Extractor<uint16_t>;
-using Extractor32 = Extractor<uint32_t>;
-/// Needs less flash (FOOTPRINT.md): no open border, no slabs, no counts of cells, facets and
-/// classic triangles. Each hole is a loose fragment, so use a Joiner. Include
-/// discmc/trace/extractor_definitions.hpp where you use it: the library does not contain its code.
-using LeanExtractor16 = Extractor<uint16_t, true>;
 
 }  // namespace discmc
 

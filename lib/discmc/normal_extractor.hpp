@@ -23,7 +23,7 @@ namespace discmc {
 /// An extractor with normals. It accepts samples of one type and no bits. Sample is uint8_t,
 /// uint16_t or int16_t.
 template <class Index, class Sample>
-class NormalExtractor : public BasicExtractor<Index, GradientIntake<Sample>,
+class NormalExtractor : public BasicExtractor<Index, detail::trace::GradientIntake<Sample>,
                                               detail::trace::Sweep<Index, OctahedralNormal>> {
  public:
   NormalExtractor() = default;

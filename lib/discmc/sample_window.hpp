@@ -34,8 +34,8 @@ class SampleWindow {
 
   /// The bytes of memory for start(). Limit: valid limits.
   static constexpr uint64_t bytes_for(const Limits& limits) {
-    return SampleRows<Sample>::bytes_for(limits, slices_held * limits.height) + Arena::alignment -
-           1;
+    return detail::trace::SampleRows<Sample>::bytes_for(limits, slices_held * limits.height) +
+           Arena::alignment - 1;
   }
 
   /// Begins a pass. limits: only width and height matter, but all must be valid. memory: at least
@@ -44,7 +44,7 @@ class SampleWindow {
   [[nodiscard]] Status start(const Limits& limits, Memory memory) {
     if (!limits.is_valid()) return Status::bad_limits;
     Arena arena(memory);
-    SampleRows<Sample> rows;
+    detail::trace::SampleRows<Sample> rows;
     rows.start(arena, limits, slices_held * limits.height);
     if (arena.is_exhausted()) return Status::too_little_memory;
     rows_ = rows;
@@ -97,7 +97,7 @@ class SampleWindow {
   }
 
  private:
-  SampleRows<Sample> rows_;
+  detail::trace::SampleRows<Sample> rows_;
   uint32_t width_ = 0;
   bool is_ended_ = false;
 };

@@ -101,8 +101,8 @@ class SliceDecoder {
   [[nodiscard]] Status set_memory(Memory memory);
 
   /// For a Receiver: as Decoder::start_next().
-  void start_next(const PacketReader& before);
-  const PacketReader& packets() const { return packets_; }
+  void start_next(const detail::stream::PacketReader& before);
+  const detail::stream::PacketReader& packets() const { return packets_; }
 
   /// Ends the input; without a trailer there is no `finish` event. Status::suspended: call finish()
   /// again. Errors: as push().
@@ -118,7 +118,7 @@ class SliceDecoder {
   enum class Stage : uint8_t { collect, start, lose, read, deliver_rows, application, finish };
 
   void clear();
-  void open(PacketReader::Completed arrival);
+  void open(detail::stream::PacketReader::Completed arrival);
   void lay_out();
   void clear_rows();
   void open_slices();
@@ -139,7 +139,7 @@ class SliceDecoder {
 
   RowSink sink_;
   Memory memory_;
-  PacketReader packets_;
+  detail::stream::PacketReader packets_;
   Stage stage_ = Stage::collect;
   bool is_started_ = false;
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event

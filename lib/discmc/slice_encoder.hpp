@@ -267,7 +267,7 @@ class SliceEncoder {
   detail::slices::RowWriter coder_;
   detail::slices::RowCode row_;
   detail::slices::CodedSurfaces surfaces_;
-  PacketWriter packets_;
+  detail::stream::PacketWriter packets_;
   detail::Seal seal_;
   // A FractionSliceEncoder sets these members.
   bool (*code_fractions_)(SliceEncoder& encoder) = nullptr;  // false if the output is busy

@@ -41,7 +41,7 @@ std::string header(const std::string& space_directions) {
 
 // The stream of v.nrrd from a device with access to the samples: with normals.
 std::string stream_with_normals() {
-  using WithNormals = discmc::GradientIntake<std::uint16_t>;
+  using WithNormals = discmc::detail::trace::GradientIntake<std::uint16_t>;
   discmc::StreamHeader header;
   header.width = header.height = header.depth = extent;
   header.spacing_nm[0] = 500000;

@@ -34,7 +34,7 @@ void for_each_limits(Check check) {
       }
 }
 
-template <class Index, class Normals = BitIntake>
+template <class Index, class Normals = detail::trace::BitIntake>
 void check_defaults(const Limits& limits, uint64_t bytes) {
   const Capacities capacities = detail::sizing::default_capacities<Index, Normals>(limits, bytes);
   CAPTURE(bytes);
@@ -94,7 +94,7 @@ TEST_CASE("the default capacities fit in memory of any size from the minimum") {
       const Limits limits{width, 5, extra % 2 == 0 ? Border::closed : Border::open};
       check_defaults<uint16_t>(limits, Extractor16::minimum_bytes(limits) + extra);
       check_defaults<uint32_t>(limits, Extractor32::minimum_bytes(limits) + extra);
-      using Normals = GradientIntake<uint16_t>;
+      using Normals = detail::trace::GradientIntake<uint16_t>;
       check_defaults<uint16_t, Normals>(
           limits, detail::sizing::minimum_bytes<uint16_t, Normals>(limits) + extra);
     }

@@ -15,7 +15,7 @@ using namespace discmc::test;
 namespace {
 
 template <class Sample>
-using WithNormals = GradientIntake<Sample>;
+using WithNormals = detail::trace::GradientIntake<Sample>;
 
 struct Setting {
   int32_t threshold;
@@ -50,7 +50,7 @@ void require_normals(const Events& events, const SampleVolume<Sample>& volume) {
 
 template <class Sample>
 void check_agreement(const SampleVolume<Sample>& volume, const Setting& setting) {
-  const Events plain = events_of<uint16_t, BitIntake>(volume, setting);
+  const Events plain = events_of<uint16_t, detail::trace::BitIntake>(volume, setting);
   const Events events = events_of<uint16_t, WithNormals<Sample>>(volume, setting);
   REQUIRE(without_normals(events) == plain);
   REQUIRE(events_of<uint32_t, WithNormals<Sample>>(volume, setting) == events);
@@ -195,7 +195,7 @@ TEST_CASE("a small scan with normals sends the same surface, even at open border
         Setting setting{128, border, few};
         setting.slab = slab;
         CHECK(without_normals(events_of<uint16_t, WithNormals<uint8_t>>(volume, setting)) ==
-              events_of<uint16_t, BitIntake>(volume, setting));
+              events_of<uint16_t, detail::trace::BitIntake>(volume, setting));
       }
 }
 
@@ -297,7 +297,8 @@ TEST_CASE("skipped rows and unfinished slices yield the same surface with and wi
         const bool is_broken = ending == Ending::abandon;
         const std::vector<Row> rows = some_rows(is_broken ? chance.below(all) : all, chance);
         const uint32_t part = is_broken ? chance.below(size.width) : 0;
-        const Events plain = events_with_gaps<BitIntake>(volume, rows, threshold, ending, part);
+        const Events plain =
+            events_with_gaps<detail::trace::BitIntake>(volume, rows, threshold, ending, part);
         const Events events =
             events_with_gaps<WithNormals<uint8_t>>(volume, rows, threshold, ending, part);
         REQUIRE(without_normals(events) == plain);

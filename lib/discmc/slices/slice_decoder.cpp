@@ -22,7 +22,7 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
   return Status::ok;
 }
 
-void SliceDecoder::start_next(const PacketReader& before) {
+void SliceDecoder::start_next(const detail::stream::PacketReader& before) {
   memory_ = {};
   clear();
   open(packets_.start_next(before));
@@ -67,14 +67,14 @@ Status SliceDecoder::finish() {
 
 // ---- packets ----
 
-void SliceDecoder::open(PacketReader::Completed arrival) {
+void SliceDecoder::open(detail::stream::PacketReader::Completed arrival) {
   if (packets_.is_refused()) refusal_ = Status::wrong_version;
   if (packets_.remove_gap()) is_whole_ = false;
   if (report().holds_slices && !is_laid_out_) lay_out();
   if (!is_laid_out_) return;
-  if (arrival == PacketReader::Completed::slices) open_slices();
-  if (arrival == PacketReader::Completed::application) stage_ = Stage::application;
-  if (arrival == PacketReader::Completed::trailer) {
+  if (arrival == detail::stream::PacketReader::Completed::slices) open_slices();
+  if (arrival == detail::stream::PacketReader::Completed::application) stage_ = Stage::application;
+  if (arrival == detail::stream::PacketReader::Completed::trailer) {
     const uint64_t max_rows = uint64_t{Limits::max_slices} * header().height;
     const uint64_t total = report().total_rows < max_rows ? report().total_rows : max_rows;
     lost_rows_ = total > passed_rows_ ? total - passed_rows_ : 0;

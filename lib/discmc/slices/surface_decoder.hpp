@@ -41,7 +41,7 @@ class SurfaceDecoder {
   }
 
  private:
-  const PacketReader& packets() const {
+  const detail::stream::PacketReader& packets() const {
     return is_of_slices_ ? slices_.packets() : regions_.packets();
   }
   Decoded push_to_both(const uint8_t* byte);

@@ -15,7 +15,7 @@ Status Decoder::start(const Sink& sink, uint8_t channel) {
   return Status::ok;
 }
 
-void Decoder::start_next(const PacketReader& before) {
+void Decoder::start_next(const detail::stream::PacketReader& before) {
   clear();
   open(packets_.start_next(before));
 }
@@ -42,22 +42,22 @@ Status Decoder::finish() {
   if (!is_started_) return Status::not_started;
   if (!deliver()) return status_of(answer_);
   packets_.finish();
-  open(PacketReader::Completed::nothing);
+  open(detail::stream::PacketReader::Completed::nothing);
   return deliver() ? Status::ok : status_of(answer_);
 }
 
-void Decoder::open(PacketReader::Completed arrival) {
+void Decoder::open(detail::stream::PacketReader::Completed arrival) {
   if (packets_.remove_gap()) lose_open();
-  if (arrival == PacketReader::Completed::records) {
+  if (arrival == detail::stream::PacketReader::Completed::records) {
     model_ =
         detail::stream::ReadingModel({RangeDecoder(packets_.payload(), packets_.payload_bytes())});
     are_normals_ahead_ = false;
     const bool may_pass = packets_.whole_regions() > 0 && packet_sink_.accept != nullptr;
     if (may_pass) lose_open();
     stage_ = may_pass ? Stage::whole_regions : Stage::records;
-  } else if (arrival == PacketReader::Completed::application) {
+  } else if (arrival == detail::stream::PacketReader::Completed::application) {
     note_application();
-  } else if (arrival == PacketReader::Completed::trailer) {
+  } else if (arrival == detail::stream::PacketReader::Completed::trailer) {
     note_finish();
   }
 }

@@ -1,7 +1,7 @@
 #include <discmc/stream/crc32.hpp>
 #include <discmc/stream/packet_reader.hpp>
 
-namespace discmc {
+namespace discmc::detail::stream {
 
 namespace {
 
@@ -302,4 +302,4 @@ PacketReader::Completed PacketReader::read_slices_trailer() {
   return Completed::trailer;
 }
 
-}  // namespace discmc
+}  // namespace discmc::detail::stream

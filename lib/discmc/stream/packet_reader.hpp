@@ -7,7 +7,7 @@
 #include <discmc/stream/wire.hpp>
 #include <discmc/stream_report.hpp>
 
-namespace discmc {
+namespace discmc::detail::stream {
 
 class PacketReader {
  public:
@@ -90,6 +90,6 @@ class PacketReader {
   uint8_t frame_[detail::wire::max_frame];
 };
 
-}  // namespace discmc
+}  // namespace discmc::detail::stream
 
 #endif

@@ -1,7 +1,7 @@
 #include <discmc/stream/crc32.hpp>
 #include <discmc/stream/packet_writer.hpp>
 
-namespace discmc {
+namespace discmc::detail::stream {
 
 void PacketWriter::attach(const ByteOutput& output) {
   if (frame_bytes_ > 0 && drained_ > 0) is_cut_ = true;
@@ -145,4 +145,4 @@ void PacketWriter::resume(const ByteOutput& output) {
   drained_ = 0;
 }
 
-}  // namespace discmc
+}  // namespace discmc::detail::stream

@@ -7,7 +7,7 @@
 #include <discmc/stream/records_packet.hpp>
 #include <discmc/stream/wire.hpp>
 
-namespace discmc {
+namespace discmc::detail::stream {
 
 /// Holds one packet: open while its payload is written, sealed while its frame is sent.
 class PacketWriter {
@@ -86,6 +86,6 @@ class PacketWriter {
   uint8_t frame_[detail::wire::max_frame] = {};
 };
 
-}  // namespace discmc
+}  // namespace discmc::detail::stream
 
 #endif

@@ -4,7 +4,8 @@
 namespace discmc {
 
 #define DISCMC_INSTANTIATE(Index)                                                               \
-  template class BasicExtractor<Index, BitIntake, detail::trace::Sweep<Index, NoNormal>>;       \
+  template class BasicExtractor<Index, detail::trace::BitIntake,                                \
+                                detail::trace::Sweep<Index, detail::trace::NoNormal>>;          \
   template PushResult Extractor<Index>::BasicExtractor::push_samples(const uint8_t*, uint32_t,  \
                                                                      uint32_t);                 \
   template PushResult Extractor<Index>::BasicExtractor::push_samples(const uint16_t*, uint32_t, \

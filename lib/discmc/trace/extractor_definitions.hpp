@@ -167,9 +167,9 @@ Status BasicExtractor<Index, Intake, Sweep>::abandon() {
 
 // The event of a row without samples precedes its sweep.
 template <class Index, class Intake, class Sweep>
-void BasicExtractor<Index, Intake, Sweep>::note_origin(RowOrigin origin) {
-  if (origin == RowOrigin::samples) return;
-  due_ = origin == RowOrigin::repeated ? Due::repeated_row : Due::off_row;
+void BasicExtractor<Index, Intake, Sweep>::note_origin(detail::trace::RowOrigin origin) {
+  if (origin == detail::trace::RowOrigin::samples) return;
+  due_ = origin == detail::trace::RowOrigin::repeated ? Due::repeated_row : Due::off_row;
   ++statistics_.skipped_rows;
 }
 

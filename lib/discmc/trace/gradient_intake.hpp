@@ -8,7 +8,7 @@
 #include <discmc/trace/sample_rows.hpp>
 #include <discmc/trace/threshold.hpp>
 
-namespace discmc {
+namespace discmc::detail::trace {
 
 /// Sample is uint8_t, uint16_t or int16_t.
 template <class Sample>
@@ -51,19 +51,19 @@ class GradientIntake {
   }
 
   /// Returns the column of the next sample, like BitIntake.
-  uint32_t column(const detail::trace::BitRows&) const { return samples_.column(); }
-  uint32_t rows(const detail::trace::BitRows&) const { return samples_.rows(); }
-  uint32_t slices(const detail::trace::BitRows&) const { return samples_.slices(); }
+  uint32_t column(const BitRows&) const { return samples_.column(); }
+  uint32_t rows(const BitRows&) const { return samples_.rows(); }
+  uint32_t slices(const BitRows&) const { return samples_.slices(); }
 
   /// Appends samples like BitIntake, but only of this type.
-  RowOrigin append(detail::trace::BitRows& rows, const Sample* samples, uint32_t count,
-                   uint32_t stride, int32_t threshold) {
+  RowOrigin append(BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
+                   int32_t threshold) {
     samples_.append(samples, count, stride);
     if (!samples_.is_row_complete()) return RowOrigin::samples;
     end_row(width_);
     return pass_on_due(rows, threshold);
   }
-  RowOrigin skip(detail::trace::BitRows& rows, bool is_repeated, int32_t threshold) {
+  RowOrigin skip(BitRows& rows, bool is_repeated, int32_t threshold) {
     if (is_repeated)
       samples_.repeat(off_below(threshold));
     else
@@ -71,14 +71,14 @@ class GradientIntake {
     end_row(is_repeated ? skipped_repeated : skipped_off);
     return pass_on_due(rows, threshold);
   }
-  RowOrigin drain(detail::trace::BitRows& rows, int32_t threshold) {
+  RowOrigin drain(BitRows& rows, int32_t threshold) {
     if (samples_.rows() == 0 && samples_.column() == 0) return pass_on(rows, threshold);
     const uint32_t arrived = samples_.column();
     samples_.fill(off_below(threshold));
     end_row(arrived);
     return pass_on_due(rows, threshold);
   }
-  bool holds_rows(const detail::trace::BitRows& rows) const {
+  bool holds_rows(const BitRows& rows) const {
     return waiting_ > 0 || samples_.column() > 0 || rows.rows() > 0;
   }
 
@@ -103,12 +103,12 @@ class GradientIntake {
     ++waiting_;
   }
   // Passes on a row that is due, which is after a slice and a row.
-  RowOrigin pass_on_due(detail::trace::BitRows& rows, int32_t threshold) {
+  RowOrigin pass_on_due(BitRows& rows, int32_t threshold) {
     if (waiting_ <= height_ + 1) return RowOrigin::samples;
     return pass_on(rows, threshold);
   }
   // Thresholds the oldest row.
-  RowOrigin pass_on(detail::trace::BitRows& rows, int32_t threshold) {
+  RowOrigin pass_on(BitRows& rows, int32_t threshold) {
     const uint16_t count = row_counts_[samples_.index_before(waiting_)];
     const RowOrigin row = count == skipped_repeated ? RowOrigin::repeated
                           : count == skipped_off    ? RowOrigin::skipped
@@ -127,8 +127,8 @@ class GradientIntake {
   // has such a value. If the threshold exceeds all values of the type, nothing is on and there are
   // no normals.
   static Sample off_below(int32_t threshold) {
-    constexpr int32_t min_sample = detail::trace::min_sample<Sample>;
-    return static_cast<Sample>(threshold > min_sample ? threshold - 1 : min_sample);
+    constexpr int32_t lowest = min_sample<Sample>;
+    return static_cast<Sample>(threshold > lowest ? threshold - 1 : lowest);
   }
 
   int32_t spacing_nm_[3] = {0, 0, 0};  // 0: unknown
@@ -142,6 +142,6 @@ class GradientIntake {
   uint32_t waiting_ = 0;  // rows not yet thresholded
 };
 
-}  // namespace discmc
+}  // namespace discmc::detail::trace
 
 #endif

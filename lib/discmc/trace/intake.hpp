@@ -8,7 +8,7 @@
 #include <discmc/normal.hpp>
 #include <discmc/trace/bit_rows.hpp>
 
-namespace discmc {
+namespace discmc::detail::trace {
 
 /// The origin of a row of bits. The sink gets an event for each row without samples.
 enum class RowOrigin : uint8_t {
@@ -33,20 +33,20 @@ class BitIntake {
   void write_spacing(int32_t (&)[3]) const {}
 
   /// Returns the column of the next sample.
-  uint32_t column(const detail::trace::BitRows& rows) const { return rows.column(); }
-  uint32_t rows(const detail::trace::BitRows& rows) const { return rows.rows(); }
-  uint32_t slices(const detail::trace::BitRows& rows) const { return rows.slices(); }
+  uint32_t column(const BitRows& rows) const { return rows.column(); }
+  uint32_t rows(const BitRows& rows) const { return rows.rows(); }
+  uint32_t slices(const BitRows& rows) const { return rows.slices(); }
 
   /// Appends samples to the arriving row. Limit: count <= width - column().
   template <class Sample>
-  RowOrigin append(detail::trace::BitRows& rows, const Sample* samples, uint32_t count,
-                   uint32_t stride, int32_t threshold) {
+  RowOrigin append(BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
+                   int32_t threshold) {
     rows.append(samples, count, stride, threshold);
     if (rows.is_row_complete()) rows.next_row();
     return RowOrigin::samples;
   }
   /// Processes a row that never arrived. Limit: column() == 0.
-  RowOrigin skip(detail::trace::BitRows& rows, bool is_repeated, int32_t) {
+  RowOrigin skip(BitRows& rows, bool is_repeated, int32_t) {
     if (is_repeated)
       rows.repeat();
     else
@@ -55,19 +55,17 @@ class BitIntake {
     return is_repeated ? RowOrigin::repeated : RowOrigin::skipped;
   }
   /// Processes the end of the samples: missing ones of the slice are off. Limit: holds_rows().
-  RowOrigin drain(detail::trace::BitRows& rows, int32_t) {
+  RowOrigin drain(BitRows& rows, int32_t) {
     rows.fill_off();
     rows.next_row();
     return RowOrigin::samples;
   }
   /// Whether a slice has begun and is incomplete.
-  bool holds_rows(const detail::trace::BitRows& rows) const {
-    return rows.rows() > 0 || rows.column() > 0;
-  }
+  bool holds_rows(const BitRows& rows) const { return rows.rows() > 0 || rows.column() > 0; }
 
   NoNormal normal_at(const Vertex&) const { return {}; }
 };
 
-}  // namespace discmc
+}  // namespace discmc::detail::trace
 
 #endif

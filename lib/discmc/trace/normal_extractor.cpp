@@ -6,7 +6,7 @@ namespace discmc {
 
 // NOLINTBEGIN(bugprone-macro-parentheses): the arguments are types.
 #define DISCMC_INSTANTIATE(Index, Sample)                                           \
-  template class BasicExtractor<Index, GradientIntake<Sample>,                      \
+  template class BasicExtractor<Index, detail::trace::GradientIntake<Sample>,       \
                                 detail::trace::Sweep<Index, OctahedralNormal>>;     \
   template PushResult NormalExtractor<Index, Sample>::BasicExtractor::push_samples( \
       const Sample*, uint32_t, uint32_t);

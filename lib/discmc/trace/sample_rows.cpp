@@ -1,6 +1,6 @@
 #include <discmc/trace/sample_rows.hpp>
 
-namespace discmc {
+namespace discmc::detail::trace {
 
 template <class Sample>
 void SampleRows<Sample>::start(Arena& arena, const Limits& limits, uint32_t ring_rows) {
@@ -87,4 +87,4 @@ template class SampleRows<uint8_t>;
 template class SampleRows<uint16_t>;
 template class SampleRows<int16_t>;
 
-}  // namespace discmc
+}  // namespace discmc::detail::trace

@@ -10,7 +10,7 @@
 #include <discmc/limits.hpp>
 #include <discmc/normal.hpp>
 
-namespace discmc {
+namespace discmc::detail::trace {
 
 /// A ring of rows. Sample is uint8_t, uint16_t or int16_t.
 template <class Sample>
@@ -84,6 +84,6 @@ extern template class SampleRows<uint8_t>;
 extern template class SampleRows<uint16_t>;
 extern template class SampleRows<int16_t>;
 
-}  // namespace discmc
+}  // namespace discmc::detail::trace
 
 #endif

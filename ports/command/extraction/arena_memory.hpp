@@ -10,7 +10,7 @@ namespace discmc::command {
 
 /// Whether 16-bit indices count all slots that this memory holds with 32-bit indices, which is true
 /// up to half a MiB. The scan then equals a scan on a device.
-template <class Normals = BitIntake>
+template <class Normals = detail::trace::BitIntake>
 bool fits_narrow_indices(const Limits& limits, std::uint64_t memory) {
   return detail::sizing::default_capacities<std::uint16_t, Normals>(limits, memory).slots >=
          detail::sizing::default_capacities<std::uint32_t, Normals>(limits, memory).slots;

@@ -114,10 +114,11 @@ std::vector<Extraction> extract(SliceReader& volume, const ExtractionOptions& op
                             options.capacities.has_value();
   if (options.jobs || !is_of_device) return extract_surfaces(volume, options, surfaces);
   if (!options.normals)
-    return extract_with<BitIntake, Extractor16, Extractor32>(volume, options, surfaces);
+    return extract_with<detail::trace::BitIntake, Extractor16, Extractor32>(volume, options,
+                                                                            surfaces);
   return with_scanner_type(volume.info().type, [&](auto type) {
     using Sample = decltype(type);
-    return extract_with<GradientIntake<Sample>, NormalExtractor16<Sample>,
+    return extract_with<detail::trace::GradientIntake<Sample>, NormalExtractor16<Sample>,
                         NormalExtractor32<Sample>>(volume, options, surfaces);
   });
 }

@@ -4,7 +4,7 @@
 
 namespace discmc {
 
-template class BasicExtractor<uint32_t, BitIntake, host::Sweep>;
+template class BasicExtractor<uint32_t, detail::trace::BitIntake, host::Sweep>;
 template PushResult HostExtractor::BasicExtractor::push_samples(const uint8_t*, uint32_t, uint32_t);
 template PushResult HostExtractor::BasicExtractor::push_samples(const uint16_t*, uint32_t,
                                                                 uint32_t);

@@ -16,7 +16,7 @@
 
 namespace discmc {
 
-class HostExtractor : public BasicExtractor<uint32_t, BitIntake, host::Sweep> {
+class HostExtractor : public BasicExtractor<uint32_t, detail::trace::BitIntake, host::Sweep> {
  public:
   HostExtractor() = default;
 

@@ -15,7 +15,7 @@
 namespace discmc::meshing {
 
 /// Returns an arena that suffices for most volumes. Unused pages cost nothing. Units: bytes.
-template <class Normals = BitIntake>
+template <class Normals = detail::trace::BitIntake>
 std::uint64_t generous_bytes_for(const Limits& limits) {
   constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
   return std::max(generous_bytes,

@@ -56,8 +56,8 @@ void Sweep::clear() {
   std::fill(std::begin(hole_marks_), std::end(hole_marks_), std::uint8_t{0});
 }
 
-bool Sweep::sweep(const detail::trace::SweptRow& row, const BitIntake&, const Sink& sink,
-                  Statistics& statistics) {
+bool Sweep::sweep(const detail::trace::SweptRow& row, const detail::trace::BitIntake&,
+                  const Sink& sink, Statistics& statistics) {
   if (!has_base_) base_ = row.z;
   has_base_ = true;
   for (;;) {
@@ -199,7 +199,8 @@ void Sweep::set_outgoing(Outgoing::Kind kind, const std::uint64_t* corners, std:
 void Sweep::ensure_slots(std::uint64_t count) {
   Fragments::Slots& slots = fragments_.slots();
   constexpr std::uint64_t spare =
-      minimum_capacities().slots + detail::trace::Holes<std::uint32_t, NoNormal>::slots_each;
+      minimum_capacities().slots +
+      detail::trace::Holes<std::uint32_t, detail::trace::NoNormal>::slots_each;
   const std::uint64_t needed = slots.in_use() + count + spare;
   if (needed <= max_slots_) return;
   if (needed > detail::sizing::max_slots<std::uint32_t> / 2) throw std::bad_alloc();

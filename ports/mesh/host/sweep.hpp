@@ -19,8 +19,8 @@ class Sweep {
  public:
   static constexpr bool is_lean = false;
   static constexpr std::uint32_t max_slices = CornerCode::max_slices;
-  using Fragments = detail::trace::Fragments<std::uint32_t, NoNormal>;
-  using Delivery = detail::trace::Delivery<std::uint32_t, NoNormal, true>;
+  using Fragments = detail::trace::Fragments<std::uint32_t, detail::trace::NoNormal>;
+  using Delivery = detail::trace::Delivery<std::uint32_t, detail::trace::NoNormal, true>;
 
   /// The capacities are ignored.
   void start(Arena& arena, const Capacities& capacities);
@@ -36,8 +36,8 @@ class Sweep {
   const Delivery& delivery() const { return delivery_; }
 
   /// May keep the last edges for the next call. Returns false if the sink is busy: call again.
-  bool sweep(const detail::trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
-             Statistics& statistics);
+  bool sweep(const detail::trace::SweptRow& row, const detail::trace::BitIntake& intake,
+             const Sink& sink, Statistics& statistics);
   bool flush(const Sink& sink, Statistics& statistics);
   bool deliver_remaining_holes(const Sink& sink, Statistics& statistics);
 
@@ -47,7 +47,7 @@ class Sweep {
   std::uint32_t left_triangle_parts() const { return counts_.triangle_parts(); }
 
  private:
-  using Slot = detail::trace::Slot<std::uint32_t, NoNormal>;
+  using Slot = detail::trace::Slot<std::uint32_t, detail::trace::NoNormal>;
   using Outgoing = detail::trace::Outgoing<std::uint32_t>;
 
   void process_edges(Statistics& statistics);

@@ -12,7 +12,7 @@ void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   // Byte stuffing does not change the kind of a packet.
   constexpr auto header_kind = static_cast<std::uint8_t>(detail::wire::PacketKind::header);
   if (frame.size() < 2 || frame[1] != header_kind) return;
-  PacketReader reader;
+  detail::stream::PacketReader reader;
   reader.start(any_channel);
   for (const std::uint8_t byte : frame) static_cast<void>(reader.add(byte));
   if (reader.is_refused()) {

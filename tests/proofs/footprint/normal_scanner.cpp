@@ -8,7 +8,8 @@ using Scanner = NormalExtractor16<uint8_t>;
 // The parameters of a firmware, fixed at compile time.
 constexpr Limits limits{64, 64};
 constexpr Capacities capacities =
-    detail::sizing::default_capacities<uint16_t, GradientIntake<uint8_t>>(limits, 28 * 1024);
+    detail::sizing::default_capacities<uint16_t, detail::trace::GradientIntake<uint8_t>>(limits,
+                                                                                         28 * 1024);
 
 extern "C" Status run(Scanner& extractor, Encoder& encoder, const ByteOutput& output,
                       const StreamLabel& label, Memory memory, const uint8_t* row) {

@@ -3,7 +3,7 @@
 
 using namespace discmc;
 
-extern "C" UnitNormal run(const SampleRows<uint8_t>& rows, const Vertex& vertex,
+extern "C" UnitNormal run(const detail::trace::SampleRows<uint8_t>& rows, const Vertex& vertex,
                           const AxisWeights& weights, OctahedralNormal& octahedral) {
   const LongVector down = weighted(rows.negative_gradient(vertex), weights);
   octahedral = octahedral_normal(down);

@@ -137,7 +137,7 @@ class CountedScan {
   }
 
   static constexpr uint32_t min_spare =
-      detail::trace::Fragments<uint32_t, NoNormal>::min_spare_to_hold;
+      detail::trace::Fragments<uint32_t, detail::trace::NoNormal>::min_spare_to_hold;
 
   const reference::BitVolume& volume_;
   Room room_;

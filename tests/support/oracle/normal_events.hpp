@@ -15,7 +15,7 @@ struct ExtractorOf {
   using Type = Extractor<Index>;
 };
 template <class Index, class Sample>
-struct ExtractorOf<Index, GradientIntake<Sample>> {
+struct ExtractorOf<Index, detail::trace::GradientIntake<Sample>> {
   using Type = NormalExtractor<Index, Sample>;
 };
 

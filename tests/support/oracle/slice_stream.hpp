@@ -106,7 +106,7 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
 /// Returns a stream that reports all its rows as lost.
 inline Bytes lost_slices(const reference::Size& size) {
   Line line;
-  PacketWriter packets;
+  detail::stream::PacketWriter packets;
   packets.attach(line.output());
   packets.header() = {size.width, size.height, size.depth, {}, {1}, Border::closed};
   packets.begin_stream(detail::wire::HeaderFlags::slices);

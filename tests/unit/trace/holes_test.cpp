@@ -105,9 +105,9 @@ TEST_CASE("a hole is assigned to its own ring, even if the hole's slot is reused
 TEST_CASE_TEMPLATE(
     "a hole is found by its plane, and is sent at the end if no ring encloses the hole", Index,
     uint16_t, uint32_t) {
-  using Holes = detail::trace::Holes<Index, NoNormal>;
+  using Holes = detail::trace::Holes<Index, detail::trace::NoNormal>;
   typename Holes::Slots slots;
-  detail::trace::Slot<Index, NoNormal> memory[300];
+  detail::trace::Slot<Index, detail::trace::NoNormal> memory[300];
   Index heads[16];
   slots.start(memory, 300);
   slots.clear();
@@ -128,10 +128,10 @@ TEST_CASE_TEMPLATE(
   for (int32_t z = 0; z < 40; ++z) {
     CHECK(!is_on(z));
     ring.start = {2, 1, z};
-    typename detail::trace::RunLists<Index, NoNormal>::Entry run;
+    typename detail::trace::RunLists<Index, detail::trace::NoNormal>::Entry run;
     run.run = detail::trace::short_run(0, 1);
     ring.runs = no_slot;
-    detail::trace::RunLists<Index, NoNormal>::append(slots, ring.runs, run);
+    detail::trace::RunLists<Index, detail::trace::NoNormal>::append(slots, ring.runs, run);
     holes.keep(slots, ring);
     CHECK(is_on(z));
   }
@@ -144,7 +144,7 @@ TEST_CASE_TEMPLATE(
     CHECK(is_on(ring.start.z));
     CHECK(holes.mark(slots, ring) == 1);
     holes.remove(slots, ring.runs, start);
-    detail::trace::RunLists<Index, NoNormal>::release(slots, ring.runs);
+    detail::trace::RunLists<Index, detail::trace::NoNormal>::release(slots, ring.runs);
     CHECK(start == ring.start);
     CHECK(!is_on(start.z));
     CHECK(slots.in_use() == (left - 1) * slots_each_hole);
@@ -153,13 +153,13 @@ TEST_CASE_TEMPLATE(
 
 TEST_CASE_TEMPLATE("a hole that closes with too few free slots is sent as a loose fragment", Index,
                    uint16_t, uint32_t) {
-  using Fragments = detail::trace::Fragments<Index, NoNormal>;
-  using Delivery = detail::trace::Delivery<Index, NoNormal, true>;
+  using Fragments = detail::trace::Fragments<Index, detail::trace::NoNormal>;
+  using Delivery = detail::trace::Delivery<Index, detail::trace::NoNormal, true>;
   constexpr uint32_t enough =
-      minimum_capacities().slots + detail::trace::Holes<Index, NoNormal>::slots_each;
+      minimum_capacities().slots + detail::trace::Holes<Index, detail::trace::NoNormal>::slots_each;
   for (const uint32_t spare : {enough, enough - 1}) {
     CAPTURE(spare);
-    detail::trace::Slot<Index, NoNormal> memory[300];
+    detail::trace::Slot<Index, detail::trace::NoNormal> memory[300];
     detail::trace::Queue<Index> queues[detail::trace::queue_count];
     Index heads[16];
     Fragments fragments;

@@ -48,10 +48,10 @@ class Ends {
   uint32_t in_use() const { return pool_.in_use(); }
 
  private:
-  detail::trace::Slot<Index, NoNormal> memory_[slots];
+  detail::trace::Slot<Index, detail::trace::NoNormal> memory_[slots];
   detail::trace::Queue<Index> heads_[detail::trace::queue_count];
-  Pool<detail::trace::Slot<Index, NoNormal>, Index> pool_;
-  detail::trace::Queues<Index, NoNormal> queues_;
+  Pool<detail::trace::Slot<Index, detail::trace::NoNormal>, Index> pool_;
+  detail::trace::Queues<Index, detail::trace::NoNormal> queues_;
 };
 
 }  // namespace

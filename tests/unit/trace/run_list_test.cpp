@@ -9,13 +9,13 @@ using namespace discmc;
 
 namespace {
 
-using Lists = detail::trace::RunLists<uint16_t, NoNormal>;
-using Cursor = detail::trace::RunCursor<uint16_t, NoNormal>;
+using Lists = detail::trace::RunLists<uint16_t, detail::trace::NoNormal>;
+using Cursor = detail::trace::RunCursor<uint16_t, detail::trace::NoNormal>;
 
 struct Pooled {
   static constexpr uint32_t capacity = 200;
 
-  std::vector<detail::trace::Slot<uint16_t, NoNormal>> memory{capacity};
+  std::vector<detail::trace::Slot<uint16_t, detail::trace::NoNormal>> memory{capacity};
   Lists::Slots slots;
 
   Pooled() {
