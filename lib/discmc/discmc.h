@@ -61,7 +61,7 @@ enum {
   DISCMC_TOO_MANY_SLICES,   /* the scan has DISCMC_MAX_SLICES; finish() still works */
   DISCMC_WRONG_VERSION,     /* this receiver does not support the version of the stream */
   DISCMC_BAD_CHECKPOINT,    /* damaged, or saved by another build or kind */
-  DISCMC_BAD_LABEL,         /* the channel is too high, or there are too many surfaces */
+  DISCMC_BAD_LABEL,         /* the channel is too high; surface_count; levels */
   DISCMC_BAD_RECORD,        /* an application record is too long */
   DISCMC_BAD_DEVICE,        /* a flash without functions, or without room for two checkpoints */
   DISCMC_DEVICE_ERROR,      /* a flash function failed, or a unit reads back with other bytes */
@@ -250,7 +250,7 @@ typedef struct discmc_extractor_config {
   discmc_sink sink;
 } discmc_extractor_config;
 enum { DISCMC_MIN_SLOTS = 4, DISCMC_MAX_SLOTS = 32759 };
-/* The least memory for this kind, limits and slots, with the object; 0 if the limits are bad. */
+/* The least memory for this kind, limits and slots, with the object; 0 if they are bad. */
 uint64_t discmc_extractor_bytes(const discmc_extractor_config* config);
 /* Begins a scan, also if suspended. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_CAPACITIES. */
 DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,

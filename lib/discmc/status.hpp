@@ -28,7 +28,7 @@ enum class Status : uint8_t {
   too_many_slices,    ///< the scan has the most slices that it may have; finish() still works
   wrong_version,      ///< this decoder does not support the stream's version
   bad_checkpoint,     ///< the checkpoint or its memory differs from what was saved
-  bad_label,          ///< see StreamLabel; for a StreamHeader also its surfaces
+  bad_label,          ///< see StreamLabel; a bad surface_count or levels of a SliceEncoderConfig
   bad_record,         ///< an application record or a packet of records is too long
   bad_device,         ///< a flash without read() or program(), or too small for two checkpoints
   device_error,       ///< a flash function failed, or a unit reads back with other bytes
@@ -43,8 +43,8 @@ constexpr const char* to_string(Status status) {
       return "work remains, for example because the sink or output is busy: call resume(), or "
              "push() the remaining bytes to a decoder";
     case Status::bad_limits:
-      return "invalid limits: width and height must be 1 to 32766; check border, slab, crop and "
-             "the features of the extractor";
+      return "invalid limits: width and height must be 1 to 32766; check border, slab and "
+             "crop; a lean extractor has no open border and no slab";
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type: use the default capacities";
     case Status::too_little_memory:
@@ -69,7 +69,7 @@ constexpr const char* to_string(Status status) {
     case Status::bad_checkpoint:
       return "the checkpoint is damaged or from another build: use the previous one";
     case Status::bad_label:
-      return "invalid label: channels are 0 to 63, and a stream has at most 4 surfaces";
+      return "invalid label: channels are 0 to 63, surfaces 1 to 4, levels of fractions 2 or 4";
     case Status::bad_record:
       return "an application record has more than 200 bytes, or a packet of records is too long: "
              "split the data";

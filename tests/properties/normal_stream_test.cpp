@@ -232,7 +232,8 @@ TEST_CASE("the stream of an extractor with normals is decoded unchanged") {
   for (uint8_t& sample : samples) sample = chance.byte();
   for (size_t i = 1; i + 24 < samples.size(); ++i)
     samples[i] = static_cast<uint8_t>((samples[i - 1] + samples[i] + samples[i + 24]) / 3);
-  Block block(detail::sizing::bytes_for<uint16_t, GradientIntake<uint8_t>>(limits, capacities));
+  Block block(detail::sizing::bytes_for<uint16_t, detail::trace::GradientIntake<uint8_t>>(
+      limits, capacities));
   EventLog log;
   NormalExtractor16<uint8_t> extractor;
   require_ok(extractor.start(limits, capacities, 120, block.memory(), make_sink(log)));

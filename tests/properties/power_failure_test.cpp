@@ -91,25 +91,23 @@ class Flash {
  public:
   explicit Flash(Power& power) : power_(power) {}
 
-  FlashDevice device() {
-    return {this,
-            [](void* flash, uint32_t block, uint32_t offset, void* to, uint32_t bytes) {
-              const FlashDevice device = next(flash);
-              return device.read(device.context, block, offset, to, bytes);
-            },
-            [](void* flash, uint32_t block, uint32_t offset, const void* from, uint32_t bytes) {
-              const FlashDevice device = next(flash);
-              return device.program(device.context, block, offset, from, bytes);
-            },
-            [](void* flash, uint32_t block) {
-              const FlashDevice device = next(flash);
-              return device.erase(device.context, block);
-            },
-            nullptr,
-            geometry};
-  }
+  FlashDevice device() { return {this, read, program, erase, nullptr, geometry}; }
   void power_on() { flash_.power_on(); }
   bool has_broken_rules() const { return flash_.has_broken_rules; }
+
+  static int read(void* flash, uint32_t block, uint32_t offset, void* to, uint32_t bytes) {
+    const FlashDevice device = next(flash);
+    return device.read(device.context, block, offset, to, bytes);
+  }
+  static int program(void* flash, uint32_t block, uint32_t offset, const void* from,
+                     uint32_t bytes) {
+    const FlashDevice device = next(flash);
+    return device.program(device.context, block, offset, from, bytes);
+  }
+  static int erase(void* flash, uint32_t block) {
+    const FlashDevice device = next(flash);
+    return device.erase(device.context, block);
+  }
 
  private:
   static FlashDevice next(void* context) {
@@ -123,6 +121,59 @@ class Flash {
 
   Power& power_;
   SimulatedFlash flash_{geometry};
+};
+
+// ---- stores ----
+
+class Store {
+ public:
+  Status start(Flash& flash) { return store_.start(flash.device(), max_bytes, memory_of(buffer_)); }
+  bool has_checkpoint() const { return store_.has_checkpoint(); }
+  Status restore(const std::vector<Memory>& parts) {
+    return store_.restore(parts.data(), static_cast<uint32_t>(parts.size()));
+  }
+  Status save(const std::vector<Memory>& parts) {
+    return store_.save(parts.data(), static_cast<uint32_t>(parts.size()));
+  }
+  Status discard() { return store_.discard(); }
+  Status resume() { return store_.resume(); }
+
+ private:
+  CheckpointStore store_;
+  uint8_t buffer_[geometry.program_bytes] = {};
+};
+
+class StoreInC {
+ public:
+  Status start(Flash& flash) {
+    discmc_store_config config{};
+    config.context = &flash;
+    config.read = Flash::read;
+    config.program = Flash::program;
+    config.erase = Flash::erase;
+    config.program_bytes = geometry.program_bytes;
+    config.block_bytes = geometry.block_bytes;
+    config.blocks = geometry.blocks;
+    config.max_bytes = max_bytes;
+    config.memory = {memory_, sizeof memory_};
+    return static_cast<Status>(discmc_store_start(&store_, &config));
+  }
+  bool has_checkpoint() const { return discmc_store_get_info(store_).has_checkpoint != 0; }
+  Status restore(const std::vector<Memory>& parts) { return call(discmc_store_restore, parts); }
+  Status save(const std::vector<Memory>& parts) { return call(discmc_store_save, parts); }
+  Status discard() { return static_cast<Status>(discmc_store_discard(store_)); }
+  Status resume() { return static_cast<Status>(discmc_store_resume(store_)); }
+
+ private:
+  template <class Function>
+  Status call(Function function, const std::vector<Memory>& parts) {
+    std::vector<discmc_memory> in_c;
+    for (const Memory& part : parts) in_c.push_back({part.data, part.bytes});
+    return static_cast<Status>(function(store_, in_c.data(), static_cast<uint32_t>(in_c.size())));
+  }
+
+  discmc_store* store_ = nullptr;
+  uint8_t memory_[DISCMC_STORE_BYTES(geometry.program_bytes)] = {};
 };
 
 // ---- devices ----
@@ -259,7 +310,12 @@ class SliceDevice : public Device {
   uint8_t memory_[SliceEncoder::minimum_bytes({limits, {}, 4, 2})] = {};
 };
 
-class DeviceInC : public Device {
+// The output for objects in C.
+discmc_byte_output in_c(const ByteOutput& output) {
+  return {output.context, output.write, output.unsent, output.max_frame};
+}
+
+class PolygonDeviceInC : public Device {
  public:
   Status start(const ByteOutput& output) override { return begin(output, false); }
   std::vector<Memory> memories() override {
@@ -290,7 +346,7 @@ class DeviceInC : public Device {
     stream.kind = &discmc_regions;
     stream.label.depth = size;
     stream.memory = {encoder_memory_, sizeof encoder_memory_};
-    stream.output = {output.context, output.write, output.unsent, output.max_frame};
+    stream.output = in_c(output);
     discmc_status status = restores ? discmc_encoder_restore(&encoder_, &stream)
                                     : discmc_encoder_start(&encoder_, &stream);
     discmc_extractor_config scan{};
@@ -311,6 +367,55 @@ class DeviceInC : public Device {
   discmc_extractor* extractor_ = nullptr;
 };
 
+// levels: of fractions, or 0.
+template <const discmc_slice_kind& kind, uint8_t surfaces, uint8_t levels>
+class SliceDeviceInC : public Device {
+ public:
+  Status start(const ByteOutput& output) override {
+    const discmc_slice_encoder_config config = config_for(output);
+    return static_cast<Status>(discmc_slice_encoder_start(&encoder_, &config));
+  }
+  std::vector<Memory> memories() override { return {memory_of(memory_)}; }
+  Status restore(const ByteOutput& output) override {
+    const discmc_slice_encoder_config config = config_for(output);
+    return static_cast<Status>(discmc_slice_encoder_restore(&encoder_, &config));
+  }
+  Status save(std::vector<Memory>& parts) override {
+    discmc_memory part{};
+    const discmc_status status = discmc_slice_encoder_save(encoder_, &part);
+    parts = {{part.data, part.bytes}};
+    return static_cast<Status>(status);
+  }
+  uint32_t row() const override {
+    const discmc_slice_encoder_info info = discmc_slice_encoder_get_info(encoder_);
+    return info.slices * size + info.rows;
+  }
+  Status push(const uint8_t* samples) override {
+    return static_cast<Status>(
+        discmc_slice_encoder_push(encoder_, DISCMC_U8, samples, size, 1).status);
+  }
+  Status resume() override { return static_cast<Status>(discmc_slice_encoder_resume(encoder_)); }
+  Status finish() override { return static_cast<Status>(discmc_slice_encoder_finish(encoder_)); }
+
+ private:
+  discmc_slice_encoder_config config_for(const ByteOutput& output) {
+    discmc_slice_encoder_config config{};
+    config.kind = &kind;
+    config.limits = {size, size, DISCMC_CLOSED};
+    config.surface_count = surfaces;
+    std::copy_n(thresholds, surfaces, config.thresholds);
+    config.key_slice_interval = 4;
+    config.levels = levels;
+    config.label.depth = size;
+    config.memory = {memory_, sizeof memory_};
+    config.output = in_c(output);
+    return config;
+  }
+
+  uint8_t memory_[4000] = {};
+  discmc_slice_encoder* encoder_ = nullptr;
+};
+
 // ---- the recipe ----
 
 Bytes samples() {
@@ -322,9 +427,9 @@ Bytes samples() {
 
 /// Runs from power-on to the end of the scan, or until the power fails. Returns whether it
 /// continued a scan.
+template <class AnyStore>
 bool run(Device& device, Power& power, Radio& radio, Flash& flash) {
-  CheckpointStore store;
-  uint8_t buffer[geometry.program_bytes];
+  AnyStore store;
   const auto finish = [&](Status status, const std::function<Status()>& resume) {
     while (power.is_on() && status == Status::suspended) status = resume();
     return status == Status::ok && power.is_on();
@@ -335,12 +440,9 @@ bool run(Device& device, Power& power, Radio& radio, Flash& flash) {
   const auto over = [&](Status status) { return finish(status, [&] { return device.resume(); }); };
   const ByteOutput output = radio.output();
 
-  if (store.start(flash.device(), max_bytes, memory_of(buffer)) != Status::ok) return false;
-  const std::vector<Memory> memories = device.memories();
-  const bool continues =
-      store.has_checkpoint() &&
-      store.restore(memories.data(), static_cast<uint32_t>(memories.size())) == Status::ok &&
-      device.restore(output) == Status::ok;
+  if (store.start(flash) != Status::ok) return false;
+  const bool continues = store.has_checkpoint() && store.restore(device.memories()) == Status::ok &&
+                         device.restore(output) == Status::ok;
   if (!continues && (!complete(store.discard()) || !over(device.start(output)))) return false;
 
   const Bytes all = samples();
@@ -348,7 +450,7 @@ bool run(Device& device, Power& power, Radio& radio, Flash& flash) {
     if (row % 7 == 5) {
       std::vector<Memory> parts;
       const Status saved = finish(device.save(parts), [&] { return device.save(parts); })
-                               ? store.save(parts.data(), static_cast<uint32_t>(parts.size()))
+                               ? store.save(parts)
                                : Status::device_error;
       if (!complete(saved)) return continues;
     }
@@ -381,14 +483,17 @@ std::vector<Events> scans_on(uint8_t channel, const Bytes& received) {
   return scans;
 }
 
-template <class AnyDevice>
+template <class AnyDevice, class AnyStore = Store>
 void check_every_failure(uint8_t surfaces, uint32_t stride) {
+  const auto run_device = [](Power& power, Radio& radio, Flash& flash) {
+    return run<AnyStore>(*std::make_unique<AnyDevice>(), power, radio, flash);
+  };
   for (const size_t capacity : {size_t{0}, size_t{20}, size_t{300}, size_t{1024}}) {
     CAPTURE(capacity);
     Power whole_power;
     Radio whole(whole_power, capacity);
     Flash whole_flash(whole_power);
-    run(*std::make_unique<AnyDevice>(), whole_power, whole, whole_flash);
+    run_device(whole_power, whole, whole_flash);
     std::vector<Events> expected;
     for (uint8_t channel = 0; channel < surfaces; ++channel)
       expected.push_back(scans_on(channel, whole.received).at(0));
@@ -398,12 +503,12 @@ void check_every_failure(uint8_t surfaces, uint32_t stride) {
       Power power{cut};
       Radio radio(power, capacity);
       Flash flash(power);
-      run(*std::make_unique<AnyDevice>(), power, radio, flash);
+      run_device(power, radio, flash);
       REQUIRE_FALSE(power.is_on());
       power.left = UINT64_MAX;
       flash.power_on();
       radio.received.push_back(0);
-      if (run(*std::make_unique<AnyDevice>(), power, radio, flash)) ++continued;
+      if (run_device(power, radio, flash)) ++continued;
       // A failure after the end begins another scan, which is equal.
       for (uint8_t channel = 0; channel < surfaces; ++channel) {
         const std::vector<Events> scans = scans_on(channel, radio.received);
@@ -412,7 +517,7 @@ void check_every_failure(uint8_t surfaces, uint32_t stride) {
       }
       REQUIRE_FALSE(flash.has_broken_rules());
       // The scan is finished, so the next power-on begins another.
-      REQUIRE_FALSE(run(*std::make_unique<AnyDevice>(), power, radio, flash));
+      REQUIRE_FALSE(run_device(power, radio, flash));
     }
     CHECK(continued > 0);
   }
@@ -425,13 +530,22 @@ TEST_CASE("no polygon is lost if the power fails: regions, in C++") {
 }
 
 TEST_CASE("no polygon is lost if the power fails: regions, in C") {
-  check_every_failure<DeviceInC>(1, reference::step(37));
+  check_every_failure<PolygonDeviceInC, StoreInC>(1, reference::step(37));
 }
 
-TEST_CASE("no polygon is lost if the power fails: two surfaces on one link") {
+TEST_CASE("no polygon is lost if the power fails: two surfaces on one link, in C++") {
   check_every_failure<TwoSurfaceDevice>(2, reference::step(37));
 }
 
-TEST_CASE("no polygon is lost if the power fails: slices of two surfaces") {
+TEST_CASE("no polygon is lost if the power fails: slices of two surfaces, in C++") {
   check_every_failure<SliceDevice>(2, reference::step(37));
+}
+
+TEST_CASE("no polygon is lost if the power fails: slices of two surfaces, in C") {
+  check_every_failure<SliceDeviceInC<discmc_slices_u8, 2, 0>, StoreInC>(2, reference::step(37));
+}
+
+TEST_CASE("no polygon is lost if the power fails: slices with fractions, in C") {
+  check_every_failure<SliceDeviceInC<discmc_fraction_slices_u8, 1, 2>, StoreInC>(
+      1, reference::step(37));
 }

@@ -228,7 +228,7 @@ TEST_CASE("the header contains the extractor's limits and threshold, and the val
 }
 
 TEST_CASE("a stream has the spacing set at its extractor") {
-  using Normals = GradientIntake<uint8_t>;
+  using Normals = detail::trace::GradientIntake<uint8_t>;
   Line line;
   discmc::test::NormalEncoder encoder;
   require_ok(encoder.start({0, {5, 5, 5}}, line.output()));

@@ -11,9 +11,10 @@ template <class Sample>
 constexpr bool size_suffices =
     red_zone_bytes > 0 ||
     DISCMC_NORMAL_EXTRACTOR_BYTES(31, 7, sizeof(Sample), 5) >=
-        bytes_with_object(NormalKind<Sample>::functions.object_bytes,
-                          detail::sizing::bytes_for<uint16_t, GradientIntake<Sample>>({31, 7},
-                                                                                      {5, 0}));
+        bytes_with_object(
+            NormalKind<Sample>::functions.object_bytes,
+            detail::sizing::bytes_for<uint16_t, detail::trace::GradientIntake<Sample>>({31, 7},
+                                                                                       {5, 0}));
 static_assert(size_suffices<uint8_t> && size_suffices<uint16_t> && size_suffices<int16_t>,
               "the sizes in sizes.h suffice");
 

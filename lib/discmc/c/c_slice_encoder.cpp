@@ -37,7 +37,8 @@ SliceEncoderConfig config_of(const discmc_slice_encoder_config& from) {
 
 template <class Sample>
 constexpr discmc_slice_kind slice_kind = {
-    {sizeof(discmc_slice_encoder) | SliceEncoder::layout << 20, sizeof(discmc_slice_encoder)},
+    {sizeof(discmc_slice_encoder) | type_of<Sample> << 16 | SliceEncoder::layout << 20,
+     sizeof(discmc_slice_encoder)},
     type_of<Sample>,
     push_as<Sample, SliceEncoder>,
     SliceEncoder::minimum_bytes,
@@ -93,14 +94,11 @@ constexpr discmc_slice_kind fraction_kind = {
 extern "C" {
 
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config) {
-  if (!cpp(config->limits).is_valid() || config->surface_count > StreamHeader::max_surfaces)
-    return 0;
   const discmc_slice_kind* const kind = config->kind;
-  const SliceEncoderConfig encoder_config = config_of(*config);
-  if (kind == nullptr)
-    return bytes_with_object(sizeof(discmc_slice_encoder),
-                             SliceEncoder::minimum_bytes(encoder_config));
-  const uint64_t encoder_bytes = kind->minimum_bytes(encoder_config);
+  if (kind == nullptr || !cpp(config->limits).is_valid() ||
+      config->surface_count > StreamHeader::max_surfaces)
+    return 0;
+  const uint64_t encoder_bytes = kind->minimum_bytes(config_of(*config));
   return encoder_bytes == 0 ? 0 : bytes_with_object(kind->object_bytes, encoder_bytes);
 }
 

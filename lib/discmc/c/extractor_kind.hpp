@@ -28,7 +28,7 @@ struct ScanSizes {
 constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, uint32_t slots) {
   uint64_t bytes =
       Extractor16::bytes_for(limits, {0, 0}) + Arena::aligned(uint64_t{slots} * sizes.slot_bytes);
-  const uint32_t rows = GradientIntake<uint8_t>::ring_rows(limits);
+  const uint32_t rows = detail::trace::GradientIntake<uint8_t>::ring_rows(limits);
   if (sizes.sample_bytes > 0)
     bytes += Arena::bytes_of(rows * limits.width, sizes.sample_bytes) +
              Arena::bytes_of(rows, sizeof(uint16_t));
@@ -72,7 +72,7 @@ template <class Index, class Intake, class Sweep>
 ExtractorType<Index, Intake, Sweep> type_of_extractor(
     const BasicExtractor<Index, Intake, Sweep>& extractor);
 
-template <class Scanner, class... Samples>
+template <class Scanner, class Sample>
 struct ExtractorKind {
   using Type = decltype(type_of_extractor(*static_cast<const Scanner*>(nullptr)));
   struct Stored : discmc_extractor {
@@ -99,14 +99,8 @@ struct ExtractorKind {
 
   static discmc_push_result push(discmc_extractor& extractor, discmc_sample_type type,
                                  const void* samples, uint32_t count, uint32_t stride) {
-    discmc_push_result result{DISCMC_BAD_SAMPLES, 0};
-    Scanner& scanner = in(extractor);
-    const bool is_supported =
-        ((type == type_of<Samples> &&
-          (result = push_as<Samples>(scanner, samples, count, stride), true)) ||
-         ...);
-    (void)is_supported;
-    return result;
+    if (type != type_of<Sample>) return {DISCMC_BAD_SAMPLES, 0};
+    return push_as<Sample>(in(extractor), samples, count, stride);
   }
 
   template <auto method>
@@ -125,7 +119,7 @@ struct ExtractorKind {
   }
 
   static constexpr discmc_extractor_kind functions = {
-      {sizeof(Stored) | Scanner::layout << 20, sizeof(Stored)},
+      {sizeof(Stored) | type_of<Sample> << 16 | Scanner::layout << 20, sizeof(Stored)},
       Type::sizes,
       start,
       push,

@@ -344,8 +344,8 @@ TEST_CASE("a checkpoint in C is restored completely and only by an extractor of 
   CHECK(changed_at(part.bytes - 1) == DISCMC_BAD_CHECKPOINT);
   restored = nullptr;
   CHECK(status_of(1, [](Config&, uint8_t*) {}) == DISCMC_BAD_CHECKPOINT);
-  CHECK(status_of(0, [](Config& c, uint8_t*) { c.kind = &discmc_normals_u8; }) ==
-        DISCMC_BAD_CHECKPOINT);
+  for (const discmc_extractor_kind* other : {&discmc_normals_u8, &discmc_plain_i16})
+    CHECK(status_of(0, [&](Config& c, uint8_t*) { c.kind = other; }) == DISCMC_BAD_CHECKPOINT);
   CHECK(status_of(0, [&](Config& c, uint8_t*) { c.memory.bytes = part.bytes - 1; }) ==
         DISCMC_BAD_CHECKPOINT);
   CHECK(status_of(0, [&](Config& c, uint8_t*) { c.memory.bytes = part.bytes + 8; }) ==

@@ -62,6 +62,7 @@ TEST_CASE("the constants in sizes.h are at least, and close to, the true sizes")
         discmc_slice_encoder_config config{};
         config.limits = limits;
         config.surface_count = surfaces;
+        config.kind = &discmc_slices_u8;
         check_size(DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces),
                    discmc_slice_encoder_bytes(&config));
         check_size(DISCMC_RECEIVER_BYTES(width, height, surfaces),
@@ -96,6 +97,8 @@ TEST_CASE(
   CHECK(discmc_extractor_bytes(&config) == 0);
   discmc_slice_encoder_config slices{};
   slices.limits = {10, 10, DISCMC_CLOSED};
+  CHECK(discmc_slice_encoder_bytes(&slices) == 0);
+  slices.kind = &discmc_slices_u8;
   const uint64_t one = discmc_slice_encoder_bytes(&slices);
   CHECK(one > 0);
   slices.surface_count = 5;

@@ -126,6 +126,11 @@ void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::
   CHECK(discmc_slice_encoder_restore(&later.encoder, &later.config) == DISCMC_BAD_CHECKPOINT);
   std::copy_n(static_cast<uint8_t*>(part.data), part.bytes,
               static_cast<uint8_t*>(later.config.memory.data));
+  if (&kind == &discmc_slices_u8) {
+    later.config.kind = &discmc_slices_i16;
+    CHECK(discmc_slice_encoder_restore(&later.encoder, &later.config) == DISCMC_BAD_CHECKPOINT);
+    later.config.kind = &kind;
+  }
   REQUIRE(discmc_slice_encoder_restore(&later.encoder, &later.config) == DISCMC_OK);
   discmc_slice_encoder_info info = discmc_slice_encoder_get_info(later.encoder);
   CHECK(info.slices == saved_row / height);
