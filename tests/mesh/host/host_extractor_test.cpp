@@ -283,8 +283,13 @@ TEST_CASE("regions delivered whole equal the regions sent to the sink event by e
     extractor.set_region_receiver(make_region_receiver(receiver));
     push_all(extractor, volume.on);
     finish_all(extractor);
-    CHECK(receiver.offered > 0);
-    CHECK(started.log.events == expected_of(volume).events);
+    const EventLog expected = expected_of(volume);
+    CHECK(started.log.events == expected.events);
+    const uint32_t offered = receiver.offered;
+    CHECK(offered > 0);
+    // start() forgets the receiver.
+    CHECK(scanned(extractor, volume).events == expected.events);
+    CHECK(receiver.offered == offered);
   }
 }
 

@@ -169,6 +169,10 @@ class Instrumenter:
     def is_check(self, cursor):
         return self.text.startswith(CHECKS, cursor.extent.start.offset)
 
+    def is_template_argument(self, cursor):
+        """Whether it is the last argument, which the compiler evaluates."""
+        return self.last_before(cursor) in '<,' and self.next_after(cursor) == '>'
+
     def last_before(self, cursor):
         return self.text[:cursor.extent.start.offset].rstrip()[-1:]
 
@@ -250,7 +254,7 @@ class Instrumenter:
         start, end = cursor.extent.start.offset, cursor.extent.end.offset
         text = self.text[start:end]
         operator = next((o for o in UNARY if text.startswith(o)), None)
-        if not operator or not self.is_new(cursor, 'operator'):
+        if not operator or self.is_template_argument(cursor) or not self.is_new(cursor, 'operator'):
             return
         change = f'{self.text_of(cursor)} -> {UNARY[operator][1] or "without " + operator}'
         number = self.mutant(start, change, constant)
@@ -259,8 +263,7 @@ class Instrumenter:
 
     def literal(self, cursor, constant):
         text = self.text_of(cursor)
-        is_argument = self.last_before(cursor) == '<' and self.next_after(cursor) == '>'
-        if is_argument or not re.fullmatch(r'(0x[0-9A-Fa-f]+|\d+)[uUlL]*', text):
+        if self.is_template_argument(cursor) or not re.fullmatch(r'(0x[0-9A-Fa-f]+|\d+)[uUlL]*', text):
             return
         if self.is_new(cursor, 'literal'):
             number = self.mutant(cursor.extent.start.offset, f'{text} -> {text} + 1', constant)
