@@ -18,7 +18,7 @@ BEGIN {
 {
   name = $2
   sub(/^discmc::/, "", name)
-  sub(/BasicExtractor<unsigned short, discmc::BitIntake, discmc::detail::trace::Sweep<unsigned short, discmc::NoNormal, false> >/, "Extractor16", name)
+  sub(/BasicExtractor<unsigned short, discmc::detail::trace::BitIntake, discmc::detail::trace::Sweep<unsigned short, discmc::detail::trace::NoNormal, false> >/, "Extractor16", name)
   sub(/push_row_of_bits/, "push_bits", name)
   sub(/push_samples/, "push", name)
   sub(/<.*$/, "", name)
