@@ -13,12 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "array.hpp"
 #include "file_mesh.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "mesh_files.hpp"
 #include "mesh_parts.hpp"
 #include "meshing.hpp"
-#include "surface/array.hpp"
 
 namespace discmc::command {
 

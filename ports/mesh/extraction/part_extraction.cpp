@@ -11,12 +11,12 @@
 
 #include <discmc/chain.hpp>
 
+#include "array.hpp"
 #include "encoded_part.hpp"
 #include "event_record.hpp"
 #include "extractors.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "mask_bits.hpp"
-#include "surface/array.hpp"
 #include "surface/growing_joiner.hpp"
 
 namespace discmc::meshing {

@@ -27,9 +27,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "array.hpp"
 #include "found_passes.hpp"
 #include "node.hpp"
-#include "surface/array.hpp"
 
 namespace discmc::host {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "surface/array.hpp"
+#include "array.hpp"
 
 namespace discmc::meshing {
 

@@ -2,11 +2,11 @@
 
 #include <vector>
 
+#include "array.hpp"
 #include "contenders.hpp"
 #include "discmc/mesh.hpp"
 #include "extraction/selection.hpp"
 #include "host/host_scan.hpp"
-#include "surface/array.hpp"
 
 namespace discmc::bench {
 

@@ -1,6 +1,6 @@
 // An array that grows without a copy and without writing zeros.
-#ifndef DISCMC_MESH_SURFACE_ARRAY_HPP
-#define DISCMC_MESH_SURFACE_ARRAY_HPP
+#ifndef DISCMC_MESH_ARRAY_HPP
+#define DISCMC_MESH_ARRAY_HPP
 
 #include <algorithm>
 #include <cstddef>
