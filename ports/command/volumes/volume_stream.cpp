@@ -56,12 +56,12 @@ ByteStream::ByteStream(const std::filesystem::path& file)
 ByteStream::ByteStream(std::filesystem::path file, std::unique_ptr<ByteSource> source)
     : file_(std::move(file)), source_(std::move(source)) {}
 
-void ByteStream::decode(const Decoder& decoder) {
+void ByteStream::decode(const Decoding& decoding) {
   std::filesystem::path file = file_;
   const bool is_read_once = is_read_once_;
   const auto packing = packing_;
   auto rest = std::make_unique<Rest>(std::move(*this));
-  *this = ByteStream(std::move(file), decoder(std::move(rest)));
+  *this = ByteStream(std::move(file), decoding(std::move(rest)));
   packing_ = packing;
   is_read_once_ = is_read_once;
 }

@@ -20,7 +20,7 @@ namespace discmc::command {
 bool is_native_big_endian();
 
 /// Makes a source that decodes another one.
-using Decoder = std::function<std::unique_ptr<ByteSource>(std::unique_ptr<ByteSource>)>;
+using Decoding = std::function<std::unique_ptr<ByteSource>(std::unique_ptr<ByteSource>)>;
 
 /// Bytes of a named file, which can be peeked at before reading. Movable, not copyable.
 class ByteStream {
@@ -32,7 +32,7 @@ class ByteStream {
   const std::filesystem::path& file() const { return file_; }
 
   /// Decodes all following bytes.
-  void decode(const Decoder& decoder);
+  void decode(const Decoding& decoding);
 
   /// Unpacks all following bytes of a packed file.
   void unpack(Packing packing);

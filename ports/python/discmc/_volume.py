@@ -41,6 +41,10 @@ class Volume:
             return np.array(self.array, dtype=dtype)
         return np.asarray(self.array, dtype=dtype)
 
+    def __repr__(self) -> str:
+        voxels = " x ".join(map(str, self.array.shape))
+        return f"<discmc.Volume: {voxels} voxels, {self.array.dtype}, spacing {self.spacing} mm, {self.format}>"
+
 
 def read(
     path: Union[str, "os.PathLike[str]"],

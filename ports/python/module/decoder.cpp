@@ -6,13 +6,20 @@
 
 #include <pybind11/stl.h>
 
+#include "exclusive.hpp"
 #include "mesh_class.hpp"
-#include "options.hpp"
+#include "watch.hpp"
 
 namespace discmc::python {
 namespace {
 
-py::object header_of(const MeshReceiver& receiver) {
+class Receiver : public MeshReceiver, public Exclusive {
+ public:
+  using MeshReceiver::MeshReceiver;
+};
+
+py::object header_of(const Receiver& receiver) {
+  const Exclusive::Use use(receiver);
   if (!receiver.report().has_header) return py::none();
   const StreamHeader& header = receiver.header();
   py::dict named;
@@ -29,14 +36,18 @@ py::object header_of(const MeshReceiver& receiver) {
   return named;
 }
 
-std::size_t push(MeshReceiver& receiver, const py::buffer& bytes) {
+std::size_t push(Receiver& receiver, const py::buffer& bytes) {
   const py::buffer_info info = bytes.request();
+  const Exclusive::Use use(receiver);
+  const py::gil_scoped_release others_run;
   return receiver.push(static_cast<const std::uint8_t*>(info.ptr),
                        static_cast<std::size_t>(info.size * info.itemsize));
 }
 
-SharedMesh mesh(const MeshReceiver& receiver, const Options& options) {
-  return shared(receiver.mesh(options.mesh));
+SharedMesh mesh(const Receiver& receiver, const Options& options) {
+  const Exclusive::Use use(receiver);
+  Watch watch(options);
+  return watch.run([&] { return shared(receiver.mesh(watch.options())); });
 }
 
 }  // namespace
@@ -62,15 +73,15 @@ void add_decoder(py::module_& module) {
       .def_readonly("lost_rows", &StreamReport::lost_rows)
       .def_readonly("slices", &StreamReport::slices)
       .def_property_readonly("is_complete", &StreamReport::is_complete);
-  py::class_<MeshReceiver>(module, "Receiver")
+  py::class_<Receiver>(module, "Receiver")
       .def(py::init<std::optional<std::uint8_t>>())
       .def("push", push)
-      .def("finish", &MeshReceiver::finish)
-      .def("has_ended", &MeshReceiver::has_ended)
-      .def("report", &MeshReceiver::report)
+      .def("finish", exclusive<Receiver>(&MeshReceiver::finish))
+      .def("has_ended", exclusive<Receiver>(&MeshReceiver::has_ended))
+      .def("report", exclusive<Receiver>(&MeshReceiver::report))
       .def("header", header_of)
       .def("mesh", mesh)
-      .def("polygon_count", &MeshReceiver::polygon_count);
+      .def("polygon_count", exclusive<Receiver>(&MeshReceiver::polygon_count));
 }
 
 }  // namespace discmc::python

@@ -13,6 +13,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "exclusive.hpp"
 #include "samples.hpp"
 
 namespace discmc::python {
@@ -115,7 +116,7 @@ py::list to_python(const std::vector<Outline>& outlines) {
 }
 
 /// An extractor of firmware in memory of the size that a device gives it.
-class Scan {
+class Scan : public Exclusive {
  public:
   virtual ~Scan() = default;
   virtual void push(const py::array& samples) = 0;
@@ -233,15 +234,15 @@ std::unique_ptr<Scan> start(std::uint32_t width, std::uint32_t height, std::int3
 
 void add_extractor(py::module_& module) {
   py::class_<Scan>(module, "Scan")
-      .def("push", &Scan::push)
-      .def("skip_row", &Scan::skip_row)
-      .def("finish", &Scan::finish)
-      .def("abandon", &Scan::abandon)
-      .def("polygons", &Scan::polygons)
-      .def("encoded", &Scan::encoded)
-      .def("statistics", &Scan::statistics)
-      .def("bytes_used", &Scan::bytes_used)
-      .def("place", &Scan::place);
+      .def("push", exclusive<Scan>(&Scan::push))
+      .def("skip_row", exclusive<Scan>(&Scan::skip_row))
+      .def("finish", exclusive<Scan>(&Scan::finish))
+      .def("abandon", exclusive<Scan>(&Scan::abandon))
+      .def("polygons", exclusive<Scan>(&Scan::polygons))
+      .def("encoded", exclusive<Scan>(&Scan::encoded))
+      .def("statistics", exclusive<Scan>(&Scan::statistics))
+      .def("bytes_used", exclusive<Scan>(&Scan::bytes_used))
+      .def("place", exclusive<Scan>(&Scan::place));
   module.def("start", start);
   module.def("minimum_bytes", [](std::uint32_t width, std::uint32_t height, unsigned index_bits) {
     const Limits limits{width, height};

@@ -67,6 +67,7 @@ def test_a_volume_is_read_with_its_place(ball, tmp_path):
     with pytest.warns(discmc.VolumeWarning):
         volume = discmc.read(tmp_path / "ball.npy", spacing=(1, 2, 3))
     assert volume.notes and volume.units == "mm"
+    assert repr(volume).startswith("<discmc.Volume: 28 x 26 x 24 voxels, int16, spacing (1")
     assert np.array_equal(volume.array, array.T)
     assert np.array_equal(np.asarray(volume), array.T)
     assert volume.spacing == (1, 2, 3)
