@@ -108,8 +108,8 @@ typedef struct discmc_push_result {
 } discmc_push_result;
 
 /* The output of an encoder. write() accepts up to `count` bytes, valid during the call, and returns
- * how many: 0 if busy, or on an error. If the link is dead, call set_output(). unsent() is for
- * checkpoints: the number of accepted bytes that a power failure would lose, as in a queue. */
+ * how many: 0 if busy, or on an error. It is offered the rest of one frame. If the link is dead,
+ * call set_output(). unsent(), for checkpoints: the accepted bytes that a power failure loses. */
 typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);

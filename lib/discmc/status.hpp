@@ -46,10 +46,11 @@ constexpr const char* to_string(Status status) {
       return "invalid limits: width and height must be 1 to 32766; check border, slab and "
              "crop; a lean extractor has no open border and no slab";
     case Status::bad_capacities:
-      return "a capacity is below its minimum or beyond the index type: use the default capacities";
+      return "a capacity is below its minimum or beyond the index type: use the default "
+             "capacities; a row ring needs a row";
     case Status::too_little_memory:
       return "the memory is null or too small: size it with ..._bytes() of the object or sizes.h; "
-             "for a slice decoder call set_memory()";
+             "slice decoders have set_memory(), stores max_bytes";
     case Status::bad_sink:
       return "the sink or output is incomplete: set write(), and unsent() for checkpoints; start "
              "the encoder first; max_frame is 0 or 48 to 256";
@@ -67,14 +68,16 @@ constexpr const char* to_string(Status status) {
     case Status::wrong_version:
       return "the stream has another format version: use a receiver of that version";
     case Status::bad_checkpoint:
-      return "the checkpoint is damaged or from another build: use the previous one";
+      return "there is no checkpoint, or it is damaged, or its build, kind, parts or alignment "
+             "differ: start a new scan";
     case Status::bad_label:
       return "invalid label: channels are 0 to 63, surfaces 1 to 4, levels of fractions 2 or 4";
     case Status::bad_record:
       return "an application record has more than 200 bytes, or a packet of records is too long: "
              "split the data";
     case Status::bad_device:
-      return "the flash has no read() or program(), or no room for two checkpoints";
+      return "the flash has no read() or program(), no room for two checkpoints, or units below 16 "
+             "bytes or not fitting blocks: correct its geometry";
     case Status::device_error:
       return "a flash function failed, or the flash reads back other bytes: save again, and check "
              "the driver";

@@ -23,8 +23,8 @@ namespace discmc {
 template <class Scanner>
 class SurfaceGroup {
  public:
-  /// scanners: `count` extractors, started for slices of one size, with nothing pushed yet; Owner:
-  /// the caller, for as long as the scan lasts. width: voxels per row.
+  /// scanners: `count` extractors, started or restored for slices of one size, between two rows;
+  /// Owner: the caller, for as long as the scan lasts. width: voxels per row.
   SurfaceGroup(Scanner* scanners, uint32_t count, uint32_t width)
       : first_(scanners), end_(scanners + count), width_(width) {}
   SurfaceGroup(const SurfaceGroup&) = delete;
