@@ -56,9 +56,8 @@ extern "C" {
 
 const char* discmc_status_string(discmc_status status) {
   if (status == DISCMC_BAD_SAMPLES)
-    return "the kind does not accept this type of samples, or bits are not a row: push its type, "
-           "or "
-           "whole rows";
+    return "the kind does not accept this type of samples, or bits are not a row: push its "
+           "type, or whole rows";
   if (status == DISCMC_NO_KIND)
     return "the kind in the config is null: set it, for example to &discmc_plain_u8";
   return to_string(static_cast<Status>(status));
