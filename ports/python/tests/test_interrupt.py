@@ -3,6 +3,7 @@ import signal
 import sys
 import threading
 import time
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -23,8 +24,9 @@ def python_handles_signals():
     signal.signal(signal.SIGINT, handler)
 
 
-@pytest.mark.parametrize("threads", [1, 2])
-def test_control_c_ends_a_call_during_which_threads_run(threads):
+@contextmanager
+def control_c():
+    """Presses Ctrl-C from another thread, which has to interrupt the body."""
     begun = threading.Event()
 
     def press():
@@ -35,8 +37,14 @@ def test_control_c_ends_a_call_during_which_threads_run(threads):
     thread.start()
     with pytest.raises(KeyboardInterrupt):
         begun.set()
-        discmc.extract(endless(), 1, threads=threads)
+        yield
     thread.join()
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_control_c_ends_a_call_during_which_threads_run(threads):
+    with control_c():
+        discmc.extract(endless(), 1, threads=threads)
 
 
 def noise(slices, size):
@@ -62,19 +70,9 @@ def stream():
 def test_control_c_ends_the_mesh_of_a_decoder(threads_switch_only_in_calls, stream):
     decoder = discmc.Decoder(triangles=100)
     decoder.feed(stream)
-    begun = threading.Event()
-
-    def press():
-        begun.wait()
-        os.kill(os.getpid(), signal.SIGINT)
-
-    thread = threading.Thread(target=press)
-    thread.start()
     meshes = []
-    with pytest.raises(KeyboardInterrupt):
-        begun.set()
+    with control_c():
         meshes.append(decoder.mesh())
-    thread.join()
     assert not meshes
     assert decoder.polygon_count > 0
 
