@@ -241,7 +241,6 @@ TEST_CASE_FIXTURE(Inputs, "every command that a message about options advises su
        {dmc + "--slab 1/9", "the volume has 4 slices; give that many slabs at most",
         dmc + "--slab 1/4"},
        {dmc + "--jobs 2 --memory 1M", "leave one out", dmc + "--jobs 2"},
-       {dmc + "--jobs 2 --wire slices", "leave one out", dmc + "--wire slices"},
        {iso + "-o 'out-{nam}.stl'", "only {name} is supported", iso + "-o 'out-{name}.stl'"},
        {iso + "-o '{name}/out.stl'", "put it after the last /", iso + "-o './{name}.stl'"},
        {iso + "-o out.xyz", "use ", ply},

@@ -167,8 +167,8 @@ TEST_CASE_FIXTURE(Workshop, "files written by extract do not depend on --jobs") 
   for (const std::string options :
        {"-o v.stl", "-o v.ply", "-o v.obj --normals surface", "-o v.glb --border open",
         "-o v.ply --median 3 --largest 1", "-o v.ply --surface interpolated --mask m.nrrd",
-        "-o v.ply --smooth auto --triangles 3000", "-o v.dmc",
-        "-o v.dmc --iso 80 --wire regions"}) {
+        "-o v.ply --smooth auto --triangles 3000", "-o v.dmc", "-o v.dmc --iso 80 --wire regions",
+        "-o v.dmc --wire slices --levels 4"}) {
     CAPTURE(options);
     const std::string file = options.substr(3, 5);
     done(volume + options + " --jobs 1");
@@ -183,6 +183,11 @@ TEST_CASE_FIXTURE(Workshop, "files written by extract do not depend on --jobs") 
   done(volume + "-o v.stl --jobs 1");
   done(volume + "-o all.stl");
   CHECK(read("all.stl") == read("v.stl"));
+  const std::string slices = volume + "--wire slices --iso 80 --mask m.nrrd --median 3 ";
+  done(slices + "-o v.dmc");
+  CHECK(read("v.dmc").size() > 3000);
+  done(slices + "-o jobs.dmc --jobs 2");
+  CHECK(read("jobs.dmc") == read("v.dmc"));
 }
 
 TEST_CASE_FIXTURE(Workshop, "meshes and output of --labels do not depend on --jobs") {

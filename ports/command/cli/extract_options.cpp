@@ -191,13 +191,12 @@ void check_slab(const ExtractArguments& arguments) {
 
 void check_jobs(const ExtractArguments& arguments) {
   if (!arguments.jobs) return;
-  const bool is_stream = format_of(arguments.output) == Format::stream;
   if (arguments.reading.memory > 0 || !arguments.reading.capacities.empty())
     refuse("--jobs", "cannot be combined with --memory or --capacities; leave one out");
-  if (is_stream && (arguments.wire == Wire::slices || arguments.normals == Normals::gradient))
+  if (format_of(arguments.output) == Format::stream && arguments.normals == Normals::gradient)
     refuse("--jobs",
-           "cannot be combined with --wire slices, where each slice is coded after the one before, "
-           "or with --normals gradient in a stream; leave one out");
+           "cannot be combined with --normals gradient in a stream, whose normals need samples "
+           "beside each part; leave one out");
 }
 
 // Vertices of a smoothed or decimated surface follow the interpolated surface, if there is one and

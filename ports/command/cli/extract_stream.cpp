@@ -13,6 +13,7 @@
 
 #include "commands.hpp"
 #include "extract.hpp"
+#include "extraction/bit_source.hpp"
 #include "files/output_file.hpp"
 #include "files/write_failure.hpp"
 #include "progress.hpp"
@@ -24,26 +25,40 @@
 namespace discmc::command {
 namespace {
 
-// Encodes the bits or the samples of a volume in memory of its own.
+// Encodes the bits or, with levels, the samples of a volume in memory of its own.
 class SliceWriter {
  public:
-  void start(const SliceEncoderConfig& config, SampleType type, const ByteOutput& output) {
+  /// surfaces: of the extraction of the same slices.
+  void start(const SliceEncoderConfig& config, const SampleGrid& info, bool filters_by_majority,
+             const std::vector<SurfaceRequest>& surfaces, const ByteOutput& output) {
     if (config.levels == 0) {
       start<SliceEncoder>(config, output);
+      const std::uint32_t depth = info.dims[2];
+      bits_.emplace(info, config.limits, slab_spans({0, depth}, depth, filters_by_majority),
+                    filters_by_majority, surfaces);
       return;
     }
-    with_scanner_type(type, [&](auto sample) {
+    with_scanner_type(info.type, [&](auto sample) {
       using Sample = decltype(sample);
       auto& encoder = start<FractionSliceEncoder<Sample>>(config, output);
       const std::uint32_t count = config.limits.width * config.limits.height;
-      push_slice_ = [&encoder, count](const void* slice) {
+      push_samples_ = [&encoder, count](const void* slice) {
         require(encoder.push(static_cast<const Sample*>(slice), count).status);
       };
     });
   }
   SliceEncoder& encoder() { return *encoder_; }
-  /// Limit: only with levels.
-  void push_slice(const void* samples) const { push_slice_(samples); }
+  /// mask_rows: null without a mask.
+  void add_slice(const void* samples, const std::uint8_t* mask_rows) {
+    if (bits_)
+      bits_->add_slice(samples, mask_rows, [this](const std::uint8_t* row) { push_bits(row); });
+    else
+      push_samples_(samples);
+  }
+  void finish() {
+    if (bits_) bits_->finish([this](const std::uint8_t* row) { push_bits(row); });
+    require(encoder_->finish());
+  }
   /// Units: bytes; 0 before start().
   std::size_t memory() const { return memory_.size(); }
 
@@ -57,26 +72,12 @@ class SliceWriter {
     return *encoder;
   }
 
+  void push_bits(const std::uint8_t* row) const { require(encoder_->push_bits(row).status); }
+
   std::vector<std::uint8_t> memory_;
   std::shared_ptr<SliceEncoder> encoder_;
-  std::function<void(const void*)> push_slice_;
-};
-
-// Encodes each slice as it is read.
-class EncodedReader final : public SliceReader {
- public:
-  EncodedReader(SliceReader& volume, const SliceWriter& writer)
-      : volume_(volume), writer_(writer) {}
-
-  const SampleGrid& info() const override { return volume_.info(); }
-  void read_slice(void* samples) override {
-    volume_.read_slice(samples);
-    writer_.push_slice(samples);
-  }
-
- private:
-  SliceReader& volume_;
-  const SliceWriter& writer_;
+  std::optional<BitSource> bits_;
+  std::function<void(const void*)> push_samples_;
 };
 
 // Returns the configuration of a stream of slices with all surfaces. header: what the surfaces
@@ -154,6 +155,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
     selections[0].selection = {0};
   }
 
+  SliceReader& samples = narrow ? *narrow : mended.samples();
   ExtractedStream stream;
   stream.receivers =
       receivers_for(selections, arguments.is_quiet ? std::nullopt : std::optional(Kept::counts));
@@ -161,10 +163,13 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   SharedOutput link;
   if (arguments.wire == Wire::slices) {
     require_encodable(arguments, info);
-    slices.start(config_of_all(header, arguments, info, selections), info.type,
+    slices.start(config_of_all(header, arguments, info, selections), samples.info(),
+                 options.filters_by_majority, requests_of(selections, stream.receivers),
                  output.byte_output());
     write_placement(info.placement, slices.encoder());
-    if (arguments.levels == 0) options.slices = &slices.encoder();
+    options.slices = [&slices](const std::uint8_t* slice, const std::uint8_t* mask_rows) {
+      slices.add_slice(slice, mask_rows);
+    };
   } else {
     link.start(output.byte_output());
     StreamLabel label = header.label();
@@ -174,15 +179,8 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
     }
   }
 
-  SliceReader& samples = narrow ? *narrow : mended.samples();
-  const auto requests = requests_of(selections, stream.receivers);
-  if (arguments.levels > 0) {
-    EncodedReader encoded(samples, slices);
-    stream.extractions = extract(encoded, options, requests);
-    require(slices.encoder().finish());
-  } else {
-    stream.extractions = extract(samples, options, requests);
-  }
+  stream.extractions = extract(samples, options, requests_of(selections, stream.receivers));
+  if (arguments.wire == Wire::slices) slices.finish();
   stream.slice_bytes = output.bytes();
   stream.slice_memory = slices.memory();
   note_not_numbers(arguments,

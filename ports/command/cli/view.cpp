@@ -115,6 +115,7 @@ NamedBytes stream_of_threshold(const ViewArguments& arguments) {
   extraction.reading.selections = with_thresholds(arguments.input, arguments.reading);
   extraction.wire = Wire::slices;
   extraction.is_quiet = true;
+  extraction.jobs = jobs_of(extraction);
   std::ostringstream bytes;
   write_stream(extraction, bytes);
   const std::string& threshold = extraction.reading.selections[0].name;

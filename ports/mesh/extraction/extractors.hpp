@@ -85,11 +85,11 @@ class Extractors {
     BitSource bits(info, limits, spans, options.filters_by_majority, surfaces);
     const auto push_bits = [&](const std::uint8_t* row) {
       if constexpr (!holds_samples<AnyExtractor>) require(group.push_bits(row).status);
-      if (options.slices != nullptr) require(options.slices->push_bits(row).status);
     };
     for (std::uint32_t z = spans.read.first; z < spans.read.end; ++z) {
       const SliceToExtract slice = next_slice();
       bits.add_slice(slice.samples, slice.mask_rows, push_bits);
+      if (options.slices) options.slices(slice.samples, slice.mask_rows);
       for (const SurfaceRequest& surface : surfaces)
         if (surface.crossings != nullptr)
           surface.crossings->add_slice(slice.samples, slice.mask_rows);
@@ -102,7 +102,6 @@ class Extractors {
     }
     bits.finish(push_bits);
     require(group.finish());
-    if (options.slices != nullptr) require(options.slices->finish());
     return results(info, spans, bits);
   }
 

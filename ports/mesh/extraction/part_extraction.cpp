@@ -166,16 +166,21 @@ class OverlappingSlices {
   std::uint32_t end_ = 0;
 };
 
-// Reads parts one after another, and adds each slice to the crossings of the surfaces.
+// Reads parts one after another, and passes on each slice once.
 class PartReader {
  public:
-  PartReader(SliceReader& volume, SliceReader* mask, const std::vector<SurfaceRequest>& surfaces)
-      : volume_(volume), sample_slices_(volume.info().slice_bytes()), mask_slices_(0) {
+  PartReader(SliceReader& volume, const SurfaceOptions& options,
+             const std::vector<SurfaceRequest>& surfaces)
+      : volume_(volume),
+        sample_slices_(volume.info().slice_bytes()),
+        mask_slices_(0),
+        slices_(options.slices) {
     for (const SurfaceRequest& surface : surfaces)
       if (surface.crossings != nullptr) crossings_.push_back(surface.crossings);
-    if (mask == nullptr) return;
-    mask_.emplace(*mask);
-    mask_bytes_ = bit_row_bytes(mask->info().dims[0]) * mask->info().dims[1];
+    if (options.mask == nullptr) return;
+    mask_.emplace(*options.mask);
+    const auto& dims = options.mask->info().dims;
+    mask_bytes_ = bit_row_bytes(dims[0]) * dims[1];
     mask_slices_ = OverlappingSlices(mask_bytes_);
   }
 
@@ -188,12 +193,14 @@ class PartReader {
       mask_slices_.fill(span, part.mask, [this](std::uint8_t* slice) {
         std::memcpy(slice, mask_->next_slice(), mask_bytes_);
       });
-    for (; end_ < span.end; ++end_)
-      for (CrossingFinder* const each : crossings_)
-        each->add_slice(part.samples_of(end_), part.mask_of(end_));
+    for (; end_ < span.end; ++end_) pass_on(part.samples_of(end_), part.mask_of(end_));
   }
 
  private:
+  void pass_on(const std::uint8_t* samples, const std::uint8_t* mask_rows) const {
+    if (slices_) slices_(samples, mask_rows);
+    for (CrossingFinder* const each : crossings_) each->add_slice(samples, mask_rows);
+  }
   void skip_to(std::uint32_t first) {
     for (; end_ < first; ++end_) {
       volume_.skip_slice();
@@ -206,6 +213,7 @@ class PartReader {
   std::optional<MaskBits> mask_;
   std::size_t mask_bytes_ = 0;
   OverlappingSlices mask_slices_;
+  decltype(SurfaceOptions::slices) slices_;
   std::vector<CrossingFinder*> crossings_;
   std::uint32_t end_ = 0;  // end of the slices that were read or skipped
 };
@@ -240,8 +248,9 @@ class PartExtraction {
         options_(options),
         requests_(surfaces),
         progress_(std::exchange(options_.progress, nullptr)),
-        reader_(volume, options.mask, surfaces),
+        reader_(volume, options, surfaces),
         spans_(parts_of(info_, slices_of(options.slab, info_.dims[2]))) {
+    options_.slices = nullptr;  // the reader passes them on
     for (const SurfaceRequest& request : requests_)
       joiners_.push_back(std::make_unique<GrowingJoiner>(request.sink));
   }
@@ -276,7 +285,7 @@ class PartExtraction {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       requests[i].sink = make_sink(part.surfaces[i]);
       requests[i].regions = make_region_receiver(part.surfaces[i]);
-      requests[i].crossings = nullptr;  // the reader adds the slices
+      requests[i].crossings = nullptr;  // the reader passes on the slices
     }
     std::uint32_t next = part.spans.read.first;
     part.extractions = extractors->extract(info_, limits, part.spans, options_, requests, [&] {

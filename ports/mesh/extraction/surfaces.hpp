@@ -10,7 +10,6 @@
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/placement.hpp>
-#include <discmc/slice_encoder.hpp>
 
 #include "crossings.hpp"
 #include "host/host_extractor.hpp"
@@ -26,8 +25,9 @@ struct SurfaceOptions {
   std::function<void(std::uint32_t)> progress;
   /// Whether bits pass a MajorityFilter first.
   bool filters_by_majority = false;
-  /// Also receives the bits, and is finished, if not null. Its output must accept everything.
-  SliceEncoder* slices = nullptr;
+  /// Called for every slice that is read, in order, with the rows of its mask, or null without one.
+  /// Threads: one at a time.
+  std::function<void(const std::uint8_t* samples, const std::uint8_t* mask_rows)> slices{};
   /// The mask, read in parallel, or null: a voxel is off if the mask is 0. Limit: u8, the extents
   /// of the volume. Owner: the caller.
   SliceReader* mask = nullptr;
@@ -35,7 +35,7 @@ struct SurfaceOptions {
   /// behind the slab are not read. Limit: its depth is the volume's.
   std::optional<SlabRange> slab{};
   /// If set, extracts the volume in parts, this many in parallel. One job may use one sweep, if the
-  /// result is equal. Limit: not with slices.
+  /// result is equal.
   std::optional<unsigned> jobs{};
 };
 
@@ -67,8 +67,8 @@ struct SurfaceRequest {
   CrossingFinder* crossings = nullptr;
   /// Receive the regions that lie in one part, if the volume is extracted in parts; the sink
   /// receives the others. The builder gets polygons or counts; the encoder gets packets that a join
-  /// passes on. Limit: parts need one of the two. The sink starts the encoder, whose output accepts
-  /// everything. Owner: the caller.
+  /// passes on. Limit: without either, these regions are dropped. The sink starts the encoder,
+  /// whose output accepts everything. Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;
   /// Is offered each region of one ring before the sink receives its events, if set. In parts, the
