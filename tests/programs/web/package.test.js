@@ -111,11 +111,18 @@ test('a stream without fractions is relaxed, not interpolated', async () => {
   assert.throws(() => decoder.mesh({ surface: 'interpolated' }), /no fractions to interpolate: give 'relaxed'/);
 });
 
-test('the first program of its page prints the ball', () => {
+test('the programs of its page print the meshes of an array and of a stream', () => {
   const page = readFileSync(join(installed, 'README.md'), 'utf8');
-  writeFileSync(join(folder, 'first.js'), page.match(/```js\n([^]*?)```/)[1]);
-  const printed = execFileSync(process.execPath, ['first.js'], { cwd: folder, encoding: 'utf8' });
-  assert.match(printed, /^\d{4} vertices, \d{4,5} triangles\n$/);
+  const [[, ofArray], [, ofStream]] = page.matchAll(/```js\n([^]*?)```/g);
+  const printed = (program) => {
+    writeFileSync(join(folder, 'program.js'), program);
+    return execFileSync(process.execPath, ['program.js'], { cwd: folder, encoding: 'utf8' });
+  };
+  assert.match(printed(ofArray), /^\d{4} vertices, \d{4,5} triangles\n$/);
+  const port = `import { createReadStream } from 'node:fs';
+    import { load } from 'discmc';
+    const discmc = await load(), port = createReadStream('ball.dmc');`;
+  assert.match(printed(port + ofStream), /^true \d{4,5}\n$/);
 });
 
 test('the package runs in a browser', { skip: !process.env.DISCMC_CHROMIUM }, async (t) => {
