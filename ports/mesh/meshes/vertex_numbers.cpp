@@ -44,9 +44,11 @@ void VertexNumbers::lay_out(const Array<Vertex>& corners) {
 }
 
 void VertexNumbers::mark_corners(const Polygons& polygons, std::size_t first, std::size_t end) {
-  for (std::size_t i = first; i < end; ++i)
-    for (const Vertex& corner : polygons[i].rings.corners())
+  for (std::size_t i = first; i < end; ++i) {
+    const Ring corners = polygons[i].rings.corners();
+    for (const Vertex& corner : corners)
       block_at(origin_of(corner)).bits[Block::row(corner)] |= Block::bit(corner);
+  }
 }
 
 void VertexNumbers::merge_marks(const VertexNumbers& part) {
