@@ -59,7 +59,7 @@ TEST_CASE("wrong extents, a wrong number of samples or a null pointer is refused
 
 TEST_CASE("a NaN level or a reversed range is refused, and the error contains the value") {
   CHECK(has(mesh_error({3, 3, 3}, {5, 2}), "from 5 to 2"));
-  CHECK(has(mesh_error({3, 3, 3}, std::nan("")), "nan"));
+  CHECK(has(mesh_error({3, 3, 3}, std::nan("")), "the level is nan; give a number"));
 }
 
 TEST_CASE("options out of range are refused by name") {

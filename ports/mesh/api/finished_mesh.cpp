@@ -167,7 +167,8 @@ bool is_interpolated(const MeshOptions& options) {
 }
 
 Selection selection_of(const Level& level) {
-  if (!(level.low <= level.high))
+  if (std::isnan(level.low) || std::isnan(level.high)) refuse("the level is nan; give a number");
+  if (level.low > level.high)
     refuse("the level is from " + text_of(level.low) + " to " + text_of(level.high) +
            "; give numbers in this order");
   return {level.low, level.high};
