@@ -28,7 +28,7 @@ constexpr const char* own_address = "127.0.0.1";
 constexpr const char* html = "text/html; charset=utf-8";
 constexpr const char* binary = "application/octet-stream";
 
-enum Status {
+enum HttpStatus {
   ok = 200,
   forbidden = 403,
   not_found = 404,

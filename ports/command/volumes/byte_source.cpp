@@ -35,9 +35,9 @@ class Pipe final : public ByteSource {
   std::ifstream in_;
 };
 
-class Memory final : public ByteSource {
+class HeldBytes final : public ByteSource {
  public:
-  explicit Memory(std::vector<unsigned char> bytes) : bytes_(std::move(bytes)) {}
+  explicit HeldBytes(std::vector<unsigned char> bytes) : bytes_(std::move(bytes)) {}
   std::size_t read(void* bytes, std::size_t count) override {
     const std::size_t part = std::min(count, bytes_.size() - at_);
     if (part > 0) std::memcpy(bytes, bytes_.data() + at_, part);
@@ -132,7 +132,7 @@ bool is_file(const std::filesystem::path& path) {
 }
 
 std::unique_ptr<ByteSource> bytes_in_memory(std::vector<unsigned char> bytes) {
-  return std::make_unique<Memory>(std::move(bytes));
+  return std::make_unique<HeldBytes>(std::move(bytes));
 }
 
 }  // namespace discmc::command

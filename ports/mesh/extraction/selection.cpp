@@ -12,9 +12,9 @@ namespace {
 // Uses bisection, which is exact although a quotient would be rounded.
 template <class Sample, class Condition>
 Sample first_sample(Condition holds) {
-  using Limits = std::numeric_limits<Sample>;
-  Sample low = Limits::min();
-  Sample high = Limits::max();
+  using NumericLimits = std::numeric_limits<Sample>;
+  Sample low = NumericLimits::min();
+  Sample high = NumericLimits::max();
   while (low < high) {
     // Half of the distance fits the unsigned type of this width.
     using Distance = std::make_unsigned_t<Sample>;
@@ -37,30 +37,30 @@ SampleRange<Sample> none() {
 // Handles values that are the stored whole numbers, with all digits of 64 bits.
 template <class Sample>
 SampleRange<Sample> selected_as_stored(const Selection& selection) {
-  using Limits = std::numeric_limits<Sample>;
+  using NumericLimits = std::numeric_limits<Sample>;
   const double low = std::ceil(selection.low);
   const double high = std::floor(selection.high);
-  const double beyond = std::ldexp(1, Limits::digits);
+  const double beyond = std::ldexp(1, NumericLimits::digits);
   const double lowest = std::is_signed_v<Sample> ? -beyond : 0;
   if (!(low < beyond) || !(high >= lowest)) return none<Sample>();
-  return {low > lowest ? static_cast<Sample>(low) : Limits::min(),
-          high < beyond ? static_cast<Sample>(high) : Limits::max()};
+  return {low > lowest ? static_cast<Sample>(low) : NumericLimits::min(),
+          high < beyond ? static_cast<Sample>(high) : NumericLimits::max()};
 }
 
 // Handles whole numbers, and compares value = slope * stored + intercept like stored_threshold().
 template <class Sample>
 SampleRange<Sample> selected_whole(const SampleGrid& info, const Selection& selection) {
-  using Limits = std::numeric_limits<Sample>;
+  using NumericLimits = std::numeric_limits<Sample>;
   const auto value = [&](Sample stored) {
     return info.slope * static_cast<double>(stored) + info.intercept;
   };
   const double lowest = lowered_by_rounding(info, selection.low);
   const double highest = -lowered_by_rounding(info, -selection.high);
-  if (!(value(Limits::max()) >= lowest) || !(value(Limits::min()) <= highest))
+  if (!(value(NumericLimits::max()) >= lowest) || !(value(NumericLimits::min()) <= highest))
     return none<Sample>();
   SampleRange<Sample> range{};
   range.low = first_sample<Sample>([&](Sample stored) { return value(stored) >= lowest; });
-  range.high = Limits::max();
+  range.high = NumericLimits::max();
   if (value(range.high) > highest)
     range.high = static_cast<Sample>(
         first_sample<Sample>([&](Sample stored) { return value(stored) > highest; }) - 1);

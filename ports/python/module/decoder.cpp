@@ -13,12 +13,12 @@
 namespace discmc::python {
 namespace {
 
-class Receiver : public MeshReceiver, public Exclusive {
+class PythonReceiver : public MeshReceiver, public Exclusive {
  public:
   using MeshReceiver::MeshReceiver;
 };
 
-py::object header_of(const Receiver& receiver) {
+py::object header_of(const PythonReceiver& receiver) {
   const Exclusive::Use use(receiver);
   if (!receiver.report().has_header) return py::none();
   const StreamHeader& header = receiver.header();
@@ -36,7 +36,7 @@ py::object header_of(const Receiver& receiver) {
   return named;
 }
 
-std::size_t push(Receiver& receiver, const py::buffer& bytes) {
+std::size_t push(PythonReceiver& receiver, const py::buffer& bytes) {
   const py::buffer_info info = bytes.request();
   const Exclusive::Use use(receiver);
   const py::gil_scoped_release others_run;
@@ -44,7 +44,7 @@ std::size_t push(Receiver& receiver, const py::buffer& bytes) {
                        static_cast<std::size_t>(info.size * info.itemsize));
 }
 
-SharedMesh mesh(const Receiver& receiver, const Options& options) {
+SharedMesh mesh(const PythonReceiver& receiver, const Options& options) {
   const Exclusive::Use use(receiver);
   Watch watch(options);
   return watch.run([&] { return shared(receiver.mesh(watch.options())); });
@@ -73,15 +73,15 @@ void add_decoder(py::module_& module) {
       .def_readonly("lost_rows", &StreamReport::lost_rows)
       .def_readonly("slices", &StreamReport::slices)
       .def_property_readonly("is_complete", &StreamReport::is_complete);
-  py::class_<Receiver>(module, "Receiver")
+  py::class_<PythonReceiver>(module, "Receiver")
       .def(py::init<std::optional<std::uint8_t>>())
       .def("push", push)
-      .def("finish", exclusive<Receiver>(&MeshReceiver::finish))
-      .def("has_ended", exclusive<Receiver>(&MeshReceiver::has_ended))
-      .def("report", exclusive<Receiver>(&MeshReceiver::report))
+      .def("finish", exclusive<PythonReceiver>(&MeshReceiver::finish))
+      .def("has_ended", exclusive<PythonReceiver>(&MeshReceiver::has_ended))
+      .def("report", exclusive<PythonReceiver>(&MeshReceiver::report))
       .def("header", header_of)
       .def("mesh", mesh)
-      .def("polygon_count", exclusive<Receiver>(&MeshReceiver::polygon_count));
+      .def("polygon_count", exclusive<PythonReceiver>(&MeshReceiver::polygon_count));
 }
 
 }  // namespace discmc::python

@@ -8,9 +8,9 @@ namespace discmc::web {
 namespace {
 
 // A link without direction: its ends in order, packed in a number.
-class Link {
+class UndirectedLink {
  public:
-  Link(Vertex from, Vertex vector) {
+  UndirectedLink(Vertex from, Vertex vector) {
     is_turned_ =
         vector.z < 0 || (vector.z == 0 && (vector.y < 0 || (vector.y == 0 && vector.x < 0)));
     if (is_turned_) {
@@ -23,14 +23,14 @@ class Link {
     for (const std::int32_t part : {vector.x + 2, vector.y + 2, vector.z + 2})
       key_ = key_ << 3 | static_cast<std::uint64_t>(part);
   }
-  explicit Link(std::uint64_t key) : key_(key) {}
+  explicit UndirectedLink(std::uint64_t key) : key_(key) {}
 
   std::uint64_t key() const { return key_; }
   bool is_turned() const { return is_turned_; }
   Vertex from() const { return {part(41, 16) - 1, part(25, 16) - 1, part(9, 16) - 1}; }
   Vertex vector() const { return {part(6, 3) - 2, part(3, 3) - 2, part(0, 3) - 2}; }
-  Link before() const { return Link(from() - vector(), vector()); }
-  Link after() const { return Link(from() + vector(), vector()); }
+  UndirectedLink before() const { return UndirectedLink(from() - vector(), vector()); }
+  UndirectedLink after() const { return UndirectedLink(from() + vector(), vector()); }
 
  private:
   std::int32_t part(int shift, int bits) const {
@@ -45,7 +45,7 @@ class Link {
 // omitted.
 using Balance = std::unordered_map<std::uint64_t, int>;
 
-void add_link(const Link& link, Balance& balance) {
+void add_link(const UndirectedLink& link, Balance& balance) {
   const auto place = balance.try_emplace(link.key(), 0).first;
   place->second += link.is_turned() ? -1 : 1;
   if (place->second == 0) balance.erase(place);
@@ -82,9 +82,9 @@ bool Missing::add_open_links(const meshing::Polygons& polygons) {
   }
   // Joins open links in a straight line, to draw fewer lines.
   for (const auto& entry : balance) {
-    const Link first(entry.first);
+    const UndirectedLink first(entry.first);
     if (balance.count(first.before().key()) != 0) continue;
-    Link last = first;
+    UndirectedLink last = first;
     while (balance.count(last.after().key()) != 0) last = last.after();
     const Vertex end = last.from() + last.vector();
     if (!is_at_border(first.from(), end)) add_line(first.from(), end);

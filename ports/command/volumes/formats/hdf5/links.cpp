@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-struct Link {
+struct NamedLink {
   std::string name;
   H5L_type_t type;
   std::size_t bytes;  // of the name
@@ -18,12 +18,12 @@ struct Link {
 
 herr_t collect(hid_t, const char* name, const H5L_info_t* info, void* links) {
   const bool has_text = info->type != H5L_TYPE_HARD;
-  static_cast<std::vector<Link>*>(links)->push_back(
+  static_cast<std::vector<NamedLink>*>(links)->push_back(
       {name, info->type, has_text ? info->u.val_size : 0});
   return 0;
 }
 
-std::string target_of(const Hdf5Handle& group, const Link& link) {
+std::string target_of(const Hdf5Handle& group, const NamedLink& link) {
   std::string text(link.bytes, '\0');
   if (H5Lget_val(group.id(), link.name.c_str(), text.data(), text.size(), H5P_DEFAULT) < 0)
     return {};
@@ -45,12 +45,12 @@ class Walk {
   void visit(const Hdf5Handle& group, const std::string& path, int depth) {
     constexpr int max_depth = 64;
     if (depth == max_depth) return;
-    std::vector<Link> links;
+    std::vector<NamedLink> links;
     H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &links);
-    for (const Link& link : links) follow(group, link, path + "/" + link.name, depth);
+    for (const NamedLink& link : links) follow(group, link, path + "/" + link.name, depth);
   }
 
-  void follow(const Hdf5Handle& group, const Link& link, const std::string& path, int depth) {
+  void follow(const Hdf5Handle& group, const NamedLink& link, const std::string& path, int depth) {
     const Hdf5Handle object(H5Oopen(group.id(), link.name.c_str(), H5P_DEFAULT), H5Oclose);
     H5O_info_t info;
     if (!object || H5Oget_info(object.id(), &info) < 0) {
