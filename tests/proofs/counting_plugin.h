@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Version 1 of QEMU's plugin interface, as far as it is used; its header is not always packaged. */
+/* QEMU's plugin interface, as far as versions 1 and 3 agree; its header is not always packaged. */
 #define EXPORT __attribute__((visibility("default")))
 struct qemu_plugin_tb;
 struct qemu_plugin_insn;
 typedef void (*translated_cb)(uint64_t id, struct qemu_plugin_tb *block);
 typedef void (*executed_cb)(unsigned int cpu, void *data);
-enum { add_to_counter = 0, uses_no_registers = 0 };
+enum { uses_no_registers = 0 };
 void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id, translated_cb callback);
 size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *block);
 struct qemu_plugin_insn *qemu_plugin_tb_get_insn(const struct qemu_plugin_tb *block, size_t index);
@@ -21,11 +21,15 @@ uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn *instruction);
 size_t qemu_plugin_insn_size(const struct qemu_plugin_insn *instruction);
 void qemu_plugin_register_vcpu_tb_exec_cb(struct qemu_plugin_tb *block, executed_cb callback,
                                           int flags, void *data);
-void qemu_plugin_register_vcpu_insn_exec_inline(struct qemu_plugin_insn *instruction, int operation,
-                                                void *counter, uint64_t value);
 void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn *instruction,
                                             executed_cb callback, int flags, void *data);
-EXPORT int qemu_plugin_version = 1;
+/* QEMU loads no plugin of an older or newer version than it knows. Only since version 3, that of
+ * QEMU 9, it has scoreboards. */
+EXPORT int qemu_plugin_version;
+__attribute__((weak)) void *qemu_plugin_scoreboard_new(size_t bytes);
+__attribute__((constructor)) static void choose_version(void) {
+  qemu_plugin_version = qemu_plugin_scoreboard_new ? 3 : 1;
+}
 
 static void on(unsigned int cpu, void *data);
 static void off(unsigned int cpu, void *data);
@@ -41,10 +45,11 @@ static struct {
 } marks[] = {{"on=", on, 0}, {"off=", off, 0}, {"report=", report, 0}};
 enum { mark_count = sizeof marks / sizeof marks[0] };
 
-static void watch_marks(struct qemu_plugin_insn *instruction) {
+/* data: for the function of a mark at this instruction. */
+static void watch_marks(struct qemu_plugin_insn *instruction, void *data) {
   for (int m = 0; m < mark_count; ++m)
     if (qemu_plugin_insn_vaddr(instruction) == marks[m].address)
-      qemu_plugin_register_vcpu_insn_exec_cb(instruction, marks[m].reached, uses_no_registers, 0);
+      qemu_plugin_register_vcpu_insn_exec_cb(instruction, marks[m].reached, uses_no_registers, data);
 }
 
 EXPORT int qemu_plugin_install(uint64_t id, const void *info, int count, char **arguments) {

@@ -50,5 +50,5 @@ static void translated(uint64_t id, struct qemu_plugin_tb *translation) {
   block->next = blocks;
   blocks = block;
   qemu_plugin_register_vcpu_tb_exec_cb(translation, run, uses_no_registers, block);
-  for (size_t i = 0; i < count; ++i) watch_marks(qemu_plugin_tb_get_insn(translation, i));
+  for (size_t i = 0; i < count; ++i) watch_marks(qemu_plugin_tb_get_insn(translation, i), 0);
 }

@@ -4,20 +4,23 @@
  * and the sum begins anew. */
 #include "../counting_plugin.h"
 
+/* A block is counted where it begins. data: the number of its instructions from there to its end. */
 static uint64_t executed, executed_at_on, sum;
 
-static void on(unsigned int cpu, void *data) { executed_at_on = executed; }
-static void off(unsigned int cpu, void *data) { sum += executed - executed_at_on; }
+static uint64_t executed_before(const void *data) { return executed - (uintptr_t)data; }
+static void on(unsigned int cpu, void *data) { executed_at_on = executed_before(data); }
+static void off(unsigned int cpu, void *data) { sum += executed_before(data) - executed_at_on; }
 static void report(unsigned int cpu, void *data) {
   fprintf(out, "%llu\n", (unsigned long long)sum);
   fflush(out);
   sum = 0;
 }
 
+static void run(unsigned int cpu, void *data) { executed += (uintptr_t)data; }
+
 static void translated(uint64_t id, struct qemu_plugin_tb *block) {
-  for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); ++i) {
-    struct qemu_plugin_insn *instruction = qemu_plugin_tb_get_insn(block, i);
-    qemu_plugin_register_vcpu_insn_exec_inline(instruction, add_to_counter, &executed, 1);
-    watch_marks(instruction);
-  }
+  uintptr_t ahead = qemu_plugin_tb_n_insns(block);
+  qemu_plugin_register_vcpu_tb_exec_cb(block, run, uses_no_registers, (void *)ahead);
+  for (size_t i = 0; ahead > 0; ++i, --ahead)
+    watch_marks(qemu_plugin_tb_get_insn(block, i), (void *)ahead);
 }
