@@ -7,7 +7,7 @@ BEGIN { FS = "\t" }
 function is_branch(name) {
   return name ~ /^(b|bl|bx|blx)$/ || name ~ /^b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)$/
 }
-# In an IT block; its model of the Cortex-M7 lacks IT itself.
+# In an IT block, within which a block may begin; LLVM's model of the Cortex-M7 lacks IT itself.
 function unconditional(name) {
   sub(/(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)$/, "", name)
   return name
@@ -26,7 +26,8 @@ FNR == NR && /^ *[0-9a-f]+:\t/ {
   gsub(/[ :]/, "", address)
   at[address] = ++instructions
   sub(/[.][nw]$/, "", $2)  # which of two encodings
-  name[instructions] = $2
+  name[instructions] = conditional-- > 0 ? unconditional($2) : $2
+  if ($2 ~ /^it[te]*$/) conditional = length($2) - 1
   operands[instructions] = $3
   sub(/ *[;@<].*/, "", operands[instructions])
 }
@@ -37,11 +38,7 @@ block[1] == "end" || (block[1], block[2]) in told { next }
 {
   told[block[1], block[2]] = 1
   print "# LLVM-MCA-BEGIN " block[1] "_" block[2]
-  conditional = 0
-  for (i = at[block[1]]; i < at[block[1]] + block[2]; i++) {
-    if (name[i] ~ /^it[te]*$/) conditional = length(name[i])
-    else print instruction(conditional > 0 ? unconditional(name[i]) : name[i], operands[i])
-    conditional--
-  }
+  for (i = at[block[1]]; i < at[block[1]] + block[2]; i++)
+    if (name[i] !~ /^it[te]*$/) print instruction(name[i], operands[i])
   print "# LLVM-MCA-END"
 }
