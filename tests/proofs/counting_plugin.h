@@ -23,8 +23,8 @@ void qemu_plugin_register_vcpu_tb_exec_cb(struct qemu_plugin_tb *block, executed
                                           int flags, void *data);
 void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn *instruction,
                                             executed_cb callback, int flags, void *data);
-/* QEMU loads no plugin of an older or newer version than it knows. Only since version 3, that of
- * QEMU 9, it has scoreboards. */
+/* QEMU refuses plugins of older or newer versions than it supports. Version 3, that of QEMU 9, is the
+ * first with scoreboards. */
 EXPORT int qemu_plugin_version;
 __attribute__((weak)) void *qemu_plugin_scoreboard_new(size_t bytes);
 __attribute__((constructor)) static void choose_version(void) {
