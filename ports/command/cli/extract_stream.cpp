@@ -112,12 +112,31 @@ std::optional<SlabRange> slab_of(const ExtractArguments& arguments, std::uint32_
   return SlabRange{end_of(number - 1), end_of(number) - end_of(number - 1), depth};
 }
 
-// Narrowed samples have one threshold as their zero, so gradients need a single surface.
-void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& info) {
-  if (arguments.selections.size() > 1)
+void choose_extraction(const ExtractArguments& arguments, std::uint32_t depth,
+                       ExtractionOptions& options) {
+  options.slab = slab_of(arguments, depth);
+  options.normals = arguments.normals == Normals::gradient;
+  options.jobs = arguments.jobs;
+  // A slab that is extracted in parts is faster to join.
+  if (options.slab && is_divisible(arguments)) options.jobs = arguments.jobs.value_or(1);
+  options.measures_memory = !arguments.is_quiet && !options.jobs;
+}
+
+// Returns samples of a type that has gradients, with their own selection; null if the volume has
+// such samples. Narrowed samples have one threshold as their zero.
+std::unique_ptr<SliceReader> narrowed_for_gradient(const ExtractArguments& arguments,
+                                                   MeasuredVolume& volume,
+                                                   std::vector<NamedSelection>& selections) {
+  const SampleType type = volume.info().type;
+  if (is_scanner_type(type)) return nullptr;
+  if (selections.size() > 1)
     throw std::invalid_argument(
         "--normals gradient of several surfaces needs samples of u8, u16 or i16, and these are " +
-        std::string(name(info.type)) + "; give one --iso, or run discmc once per surface");
+        std::string(name(type)) + "; give one --iso, or run discmc once per surface");
+  auto narrow = narrowed_again(arguments.volume, arguments.reading.options,
+                               selections[0].selection.low, volume);
+  selections[0].selection = {0};
+  return narrow;
 }
 
 void require_encodable(const ExtractArguments& arguments, const VolumeInfo& info) {
@@ -125,6 +144,16 @@ void require_encodable(const ExtractArguments& arguments, const VolumeInfo& info
     throw std::invalid_argument("--levels needs samples of u8, u16 or i16, and these are " +
                                 std::string(name(info.type)) +
                                 "; convert the volume, or leave out --levels");
+}
+
+// Starts a stream of regions per surface. Their channels on the link count from that of the label.
+void start_regions(StreamLabel label, const std::optional<VolumePlacement>& placement,
+                   const std::optional<SlabRange>& slab, const SurfaceReceivers& receivers,
+                   const ByteOutput& link) {
+  for (const auto& receiver : receivers) {
+    receiver->start_stream(label, placement, slab, link);
+    ++label.channel;
+  }
 }
 
 }  // namespace
@@ -141,20 +170,9 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   header.scan = arguments.scan;
   std::vector<NamedSelection> selections = arguments.reading.selections;
   if (mended.is_changed()) selections[0].selection = options.selection;
-  options.slab = slab_of(arguments, info.dims[2]);
-  options.normals = arguments.normals == Normals::gradient;
-  options.jobs = arguments.jobs;
-  // A slab that is extracted in parts is faster to join.
-  if (options.slab && is_divisible(arguments)) options.jobs = arguments.jobs.value_or(1);
-  options.measures_memory = !arguments.is_quiet && !options.jobs;
-  std::unique_ptr<SliceReader> narrow;
-  if (options.normals && !is_scanner_type(info.type)) {
-    require_one_surface(arguments.reading, info);
-    narrow = narrowed_again(arguments.volume, arguments.reading.options,
-                            selections[0].selection.low, *volume);
-    selections[0].selection = {0};
-  }
-
+  choose_extraction(arguments, info.dims[2], options);
+  const auto narrow =
+      options.normals ? narrowed_for_gradient(arguments, *volume, selections) : nullptr;
   SliceReader& samples = narrow ? *narrow : mended.samples();
   ExtractedStream stream;
   stream.receivers =
@@ -172,11 +190,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
     };
   } else {
     link.start(output.byte_output());
-    StreamLabel label = header.label();
-    for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
-      label.channel = static_cast<std::uint8_t>(i);
-      stream.receivers[i]->start_stream(label, info.placement, options.slab, link.output());
-    }
+    start_regions(header.label(), info.placement, options.slab, stream.receivers, link.output());
   }
 
   stream.extractions = extract(samples, options, requests_of(selections, stream.receivers));
