@@ -26,7 +26,6 @@ struct Node {
   }
   bool turns_behind() const { return queue_traits.turns[out_of(pass)] != 0; }
   bool has_corner() const { return turns() || turns_behind(); }
-  bool begins_at_seam() const { return in_of(pass) == seam_begins; }
   bool ends_at_seam() const { return out_of(pass) == seam_tails; }
 
   /// The corner at the vertex, if turns(); the corner at the centroid behind it, if turns_behind().
