@@ -59,6 +59,9 @@ class Mesh:
         self._has_polygons = has_polygons
         self._measures: Optional[_discmc.Measures] = None
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Mesh, (self._data, self._has_polygons)
+
     @property
     def vertices(self) -> NDArray[np.float64]:
         """Positions, n x 3, in the unit of the spacing."""

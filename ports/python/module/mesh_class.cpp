@@ -1,5 +1,8 @@
 #include "mesh_class.hpp"
 
+#include <algorithm>
+#include <array>
+#include <memory>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -31,6 +34,43 @@ py::array view(const py::object& owner, const std::vector<std::array<Number, 3>>
 template <class Find>
 auto array_property(Find find) {
   return [find](const py::object& self) { return view(self, find(py::cast<const Mesh&>(self))); };
+}
+
+// ---- a copy for another process ----
+
+py::tuple arrays_of(const py::object& self) {
+  return py::make_tuple(self.attr("vertices"), self.attr("faces"), self.attr("normals"),
+                        self.attr("ring_begin"), self.attr("corner_begin"), self.attr("corners"),
+                        self.attr("polygon_normals"));
+}
+
+template <class Number>
+using DenseArray = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+
+template <class Number>
+void assign(std::vector<Number>& numbers, const py::object& from) {
+  const auto array = py::cast<DenseArray<Number>>(from);
+  numbers.assign(array.data(), array.data() + array.size());
+}
+
+template <class Number>
+void assign(std::vector<std::array<Number, 3>>& rows, const py::object& from) {
+  const auto array = py::cast<DenseArray<Number>>(from);
+  rows.resize(static_cast<std::size_t>(array.size()) / 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    std::copy_n(array.data() + 3 * i, 3, rows[i].begin());
+}
+
+SharedMesh mesh_of_arrays(const py::tuple& arrays) {
+  auto mesh = std::make_shared<Mesh>();
+  assign(mesh->vertices, arrays[0]);
+  assign(mesh->triangles, arrays[1]);
+  assign(mesh->normals, arrays[2]);
+  assign(mesh->polygons.ring_begin, arrays[3]);
+  assign(mesh->polygons.corner_begin, arrays[4]);
+  assign(mesh->polygons.corners, arrays[5]);
+  assign(mesh->polygons.normals, arrays[6]);
+  return mesh;
 }
 
 }  // namespace
@@ -67,7 +107,8 @@ void add_mesh(py::module_& module) {
                              }))
       .def(
           "measures", [](const Mesh& mesh) { return measures_of(mesh); },
-          py::call_guard<py::gil_scoped_release>());
+          py::call_guard<py::gil_scoped_release>())
+      .def(py::pickle(&arrays_of, &mesh_of_arrays));
 }
 
 }  // namespace discmc::python

@@ -1,5 +1,8 @@
+import multiprocessing
 import threading
 import weakref
+from concurrent.futures import ProcessPoolExecutor
+from copy import deepcopy
 
 import numpy as np
 import pytest
@@ -195,6 +198,21 @@ def test_arrays_outlive_their_mesh(ball):
     assert np.array_equal(vertices, expected[0]) and np.array_equal(faces, expected[1])
     with pytest.raises(ValueError):
         vertices[0] = 0
+
+
+def test_a_mesh_returns_whole_from_another_process(ball):
+    options = {"normals": "surface", "polygons": True}
+    mesh = discmc.extract(ball, 100, **options)
+    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as other:
+        returned = other.submit(discmc.extract, ball, 100, **options).result()
+    for name in ("vertices", "faces", "normals"):
+        assert np.array_equal(getattr(returned, name), getattr(mesh, name))
+    assert returned.volume == mesh.volume
+    assert len(returned.polygons) == len(mesh.polygons)
+    for ours, others in zip(mesh.polygons, returned.polygons):
+        assert len(ours) == len(others) and all(map(np.array_equal, ours, others))
+    assert np.array_equal(returned.polygons.normals, mesh.polygons.normals)
+    assert deepcopy(discmc.extract(ball, 1000)).polygons is None
 
 
 def test_an_empty_surface_is_a_mesh_without_faces(ball):
