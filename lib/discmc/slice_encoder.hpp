@@ -30,7 +30,7 @@ namespace discmc {
 ///   constexpr SliceEncoderConfig config{limits, {threshold}, 16};
 ///   static uint8_t memory[SliceEncoder::minimum_bytes(config)];
 struct SliceEncoderConfig {
-  Limits limits;  ///< Limit: the whole volume, no slab
+  Limits limits;  ///< of the whole volume: a slab is refused by bad_limits
   /// Per surface: on if the sample is at least this. Put first the surface that most resembles the
   /// others: its bits predict the bits of the others.
   int32_t thresholds[StreamHeader::max_surfaces] = {};
@@ -170,7 +170,7 @@ class SliceEncoder {
   /// too_little_memory (null), bad_sink. After an error read the parts back again, or call start().
   /// Cost: as save().
   [[nodiscard]] Status restore(Memory memory, const ByteOutput& output) {
-    return restore_object(sizeof *this, memory, output);
+    return restore_object(sizeof *this, 0, memory, output);
   }
 
   Limits limits() const {
@@ -204,7 +204,9 @@ class SliceEncoder {
   }
 
   bool lay_out(Memory memory);
-  Status restore_object(uint32_t object_bytes, Memory memory, const ByteOutput& output);
+  // type: sample_type of the fractions; 0 without fractions.
+  Status restore_object(uint32_t object_bytes, uint32_t type, Memory memory,
+                        const ByteOutput& output);
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
   // Calls process(samples, count) with parts of rows, before their row is complete.
@@ -273,6 +275,7 @@ class SliceEncoder {
   bool (*code_fractions_)(SliceEncoder& encoder) = nullptr;  // false if the output is busy
   uint16_t fraction_object_bytes_ = 0;                       // of its own members
   uint8_t fraction_flags_ = 0;                               // of the header
+  uint8_t fraction_type_ = 0;                                // sample_type of the samples
 };
 
 }  // namespace discmc

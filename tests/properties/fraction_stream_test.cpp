@@ -1,5 +1,6 @@
 // Streams of slices with fractions: the decoded fractions equal those computed from the samples by
 // definition.
+#include <cstring>
 #include <discmc/fraction.hpp>
 #include <discmc/receiver.hpp>
 
@@ -205,6 +206,25 @@ TEST_CASE("an encoder without fractions refuses a checkpoint of an encoder with 
   CHECK(without.restore(block.memory(), line.output()) == Status::bad_checkpoint);
   FractionSliceEncoder<uint8_t> unsaved;
   CHECK(unsaved.restore(block.memory(), line.output()) == Status::bad_checkpoint);
+}
+
+TEST_CASE("an encoder with fractions refuses a checkpoint of another type of samples") {
+  const SampleVolume<uint16_t> volume = wave<uint16_t>({20, 5, 1}, 100, 90);
+  const SliceEncoderConfig config = config_of(volume, 100, 2);
+  Block block(FractionSliceEncoder<uint16_t>::minimum_bytes(config));
+  Line line;
+  FractionSliceEncoder<uint16_t> encoder;
+  REQUIRE(encoder.start(config, block.memory(), line.output()) == Status::ok);
+  Memory parts[2];
+  REQUIRE(encoder.save(parts) == Status::ok);
+  const auto is_refused_by = [&](auto other) {
+    static_assert(sizeof other == sizeof encoder);
+    std::memcpy(static_cast<void*>(&other), &encoder, sizeof encoder);
+    return other.restore(block.memory(), line.output()) == Status::bad_checkpoint;
+  };
+  CHECK(is_refused_by(FractionSliceEncoder<uint8_t>()));
+  CHECK(is_refused_by(FractionSliceEncoder<int16_t>()));
+  CHECK_FALSE(is_refused_by(FractionSliceEncoder<uint16_t>()));
 }
 
 TEST_CASE("all fractions that arrive after a lost packet are right") {

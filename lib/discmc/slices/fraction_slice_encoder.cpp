@@ -11,6 +11,7 @@ Status FractionSliceEncoder<Sample>::start(const SliceEncoderConfig& config, Mem
                                            const ByteOutput& output) {
   if (config.levels != 2 && config.levels != 4) return Status::bad_label;
   fraction_flags_ = static_cast<uint8_t>(2 * config.levels);
+  fraction_type_ = sample_type<Sample>;
   fraction_object_bytes_ = sizeof(FractionSliceEncoder) - sizeof(SliceEncoder);
   is_begun_ = false;
   const Status status = SliceEncoder::start(config, memory, output);
@@ -44,7 +45,7 @@ bool FractionSliceEncoder<Sample>::lay_out_fractions(Memory memory) {
 
 template <class Sample>
 Status FractionSliceEncoder<Sample>::restore(Memory memory, const ByteOutput& output) {
-  const Status status = restore_object(sizeof *this, memory, output);
+  const Status status = restore_object(sizeof *this, sample_type<Sample>, memory, output);
   if (status == Status::ok) lay_out_fractions(memory);
   return status;
 }

@@ -22,7 +22,9 @@ static StreamHeader header_of(const SliceEncoderConfig& config) {
 Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
                            const ByteOutput& output) {
   const StreamHeader header = header_of(config);
-  if (!config.limits.is_valid()) return Status::bad_limits;
+  const Slab& slab = config.limits.slab;
+  if (!config.limits.is_valid() || slab.first > 0 || slab.continues_above)
+    return Status::bad_limits;
   if (!header.is_valid()) return Status::bad_label;
   if (!output.is_valid()) return Status::bad_sink;
   state_ = State::idle;
@@ -170,15 +172,15 @@ Status SliceEncoder::save(Memory* parts) {
   const uint32_t object_bytes = uint32_t{sizeof *this} + fraction_object_bytes_;
   parts[0] = {this, object_bytes};
   parts[1] = {memory_, bytes_used()};
-  seal_.close(this, object_bytes, layout, parts[1]);
+  seal_.close(this, object_bytes, layout | uint32_t{fraction_type_} << 8, parts[1]);
   return Status::ok;
 }
 
-Status SliceEncoder::restore_object(uint32_t object_bytes, Memory memory,
+Status SliceEncoder::restore_object(uint32_t object_bytes, uint32_t type, Memory memory,
                                     const ByteOutput& output) {
   if (!output.is_valid()) return Status::bad_sink;
   if (memory.data == nullptr) return Status::too_little_memory;
-  if (!seal_.is_intact(this, object_bytes, layout, memory)) {
+  if (!seal_.is_intact(this, object_bytes, layout | type << 8, memory)) {
     state_ = State::idle;
     return Status::bad_checkpoint;
   }

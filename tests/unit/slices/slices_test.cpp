@@ -364,6 +364,12 @@ TEST_CASE("a slice encoder refuses invalid calls with a status") {
   Bytes memory(SliceEncoder::minimum_bytes({{8, 3}}));
   CHECK(encoder.start(slice_config(StreamHeader{}), {memory.data(), memory.size()},
                       line.output()) == Status::bad_limits);
+  for (const Slab& slab : {Slab{5, true, false}, Slab{0, false, true}}) {
+    SliceEncoderConfig of_slab = slice_config(header);
+    of_slab.limits.slab = slab;
+    CHECK(encoder.start(of_slab, {memory.data(), memory.size()}, line.output()) ==
+          Status::bad_limits);
+  }
   CHECK(encoder.start(slice_config(header), {memory.data(), memory.size()}, {}) ==
         Status::bad_sink);
   CHECK(encoder.start(slice_config(header), {}, line.output()) == Status::too_little_memory);
@@ -386,6 +392,8 @@ TEST_CASE("a slice decoder refuses invalid calls with a status") {
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::not_started);
   CHECK(decoder.finish() == Status::not_started);
   CHECK(decoder.start({}, {}) == Status::bad_sink);
+  const RowSink rows{nullptr, [](void*, const RowEvent&) { return SinkResult::accepted; }};
+  CHECK(decoder.start({}, rows, StreamLabel::max_channel + 1) == Status::bad_label);
   const ReceivedRows small = decode_slices(stream, {9, 8, 9});
   CHECK(small.status == Status::too_little_memory);
   CHECK(small.rows.empty());
