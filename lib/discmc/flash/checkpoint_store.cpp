@@ -127,13 +127,13 @@ bool CheckpointStore::read(uint32_t slot, uint32_t unit) {
 
 // ---- the bytes of a slot ----
 
-// Sets the parts to save. Returns false if there are too many parts or bytes.
+// Sets the parts to save. Returns false if there are too many parts or bytes, or a part is null.
 bool CheckpointStore::set_parts(const Memory* parts, uint32_t count) {
   if (count > max_parts) return false;
   uint32_t bytes = 0;
   for (uint32_t i = 0; i < max_parts; ++i) {
     const size_t length = i < count ? parts[i].bytes : 0;
-    if (length > plan_.max_bytes - bytes) return false;
+    if (length > plan_.max_bytes - bytes || (length > 0 && parts[i].data == nullptr)) return false;
     lengths_[i] = static_cast<uint32_t>(length);
     bytes += lengths_[i];
   }

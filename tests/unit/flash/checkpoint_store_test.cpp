@@ -688,6 +688,8 @@ TEST_CASE("invalid calls of start(), save() and restore() are refused") {
   CHECK(store.save(parts, 0) == Status::too_little_memory);
   CHECK(store.save(parts, 2) == Status::too_little_memory);
   CHECK(store.save(parts + 1, 7) == Status::too_little_memory);
+  const Memory null{nullptr, 50};
+  CHECK(store.save(&null, 1) == Status::too_little_memory);
   const Memory empty{bytes, 0};
   CHECK(store.save(&empty, 1) == Status::too_little_memory);
   CHECK(flash.units == 0);
