@@ -32,7 +32,8 @@ class Decoder {
 
   /// Prepares to receive a stream. channel: 0 to 63, or any_channel. The first intact packet on the
   /// channel determines the scan. The decoder counts and ignores packets of other scans and
-  /// channels, so every decoder of a link may receive all bytes. Errors: bad_sink (no function).
+  /// channels, so every decoder of a link may receive all bytes. Errors: bad_sink (no function),
+  /// bad_label (another channel).
   [[nodiscard]] Status start(const Sink& sink, uint8_t channel = any_channel);
 
   /// Sends packets of whole regions (see RecordsPacket) to this sink, instead of the events of

@@ -386,7 +386,7 @@ typedef struct discmc_receiver_config {
 /* The least memory for slices as in a header; for polygons null. Limit: valid limits, or null. */
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count,
                                uint32_t levels);
-/* Prepares to receive a channel. Use a receiver per surface, and push all bytes to each. */
+/* A receiver per surface: push all bytes to each. Errors: DISCMC_BAD_LABEL (no such channel). */
 DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 

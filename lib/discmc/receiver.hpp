@@ -40,7 +40,7 @@ class Receiver {
   /// the header, with all surfaces of the stream. Pass {} for streams of regions, or while the size
   /// is unknown: see set_memory(). Owner: the caller, while the receiver is in use. channel: 0 to
   /// 63; any_channel: the channel of the first packet, for all scans. Errors: bad_sink (no
-  /// function).
+  /// function), bad_label (another channel).
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
 
   /// Sends packets of whole regions (see RecordsPacket) to this sink, instead of the events of

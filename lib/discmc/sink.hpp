@@ -67,6 +67,10 @@ constexpr uint8_t any_channel = 255;
 /// The data with which an encoder describes a scan; the extractor supplies the rest.
 struct StreamLabel {
   static constexpr uint8_t max_channel = 63;
+  /// Whether a decoder can receive the channel.
+  static constexpr bool is_receivable(uint8_t channel) {
+    return channel <= max_channel || channel == any_channel;
+  }
 
   uint32_t depth = 0;                 ///< planned slices; 0 if unknown
   int32_t spacing_nm[3] = {0, 0, 0};  ///< between voxels; negative for a mirrored axis; 0 unknown;

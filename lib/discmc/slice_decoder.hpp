@@ -84,7 +84,7 @@ class SliceDecoder {
   /// minimum_bytes() for the size and the number of surfaces in the header; {} while they are
   /// unknown, see set_memory(). Owner: the caller, while the decoder is in use. channel: the
   /// channel of any surface of the stream; any_channel: the first stream that arrives. Errors:
-  /// bad_sink (no function).
+  /// bad_sink (no function), bad_label (a channel above 63).
   [[nodiscard]] Status start(Memory memory, const RowSink& sink, uint8_t channel = any_channel);
 
   /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; call push() again

@@ -156,6 +156,12 @@ TEST_CASE("a receiver of a channel ignores other channels") {
   check_complete(receiver);
 }
 
+TEST_CASE("a receiver of a channel that no stream can have is refused") {
+  CHECK_NOTHROW(MeshReceiver(std::uint8_t{63}));
+  CHECK_THROWS_WITH_AS(MeshReceiver(std::uint8_t{100}), "the channel is 100; give 0 to 63",
+                       std::invalid_argument);
+}
+
 TEST_CASE("the spacing and placement in a stream apply to the mesh unless the caller sets others") {
   StreamHeader header = test::header_of(volume());
   header.spacing_nm[0] = 2000000;

@@ -15,6 +15,7 @@ static_assert(max_step_bytes <= detail::wire::packet_head,
 
 Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) {
   if (sink.accept == nullptr) return Status::bad_sink;
+  if (!StreamLabel::is_receivable(channel)) return Status::bad_label;
   sink_ = sink;
   memory_ = memory;
   packets_.start(channel);

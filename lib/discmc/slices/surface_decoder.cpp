@@ -13,6 +13,7 @@ bool is_refused(PushResult row) {
 
 Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   if (sink.accept == nullptr) return Status::bad_sink;
+  if (!StreamLabel::is_receivable(channel)) return Status::bad_label;
   sink_ = sink;
   channel_ = channel;
   memory_ = memory;

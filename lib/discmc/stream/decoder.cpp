@@ -8,6 +8,7 @@ using detail::stream::RecordKind;
 
 Status Decoder::start(const Sink& sink, uint8_t channel) {
   if (sink.accept == nullptr) return Status::bad_sink;
+  if (!StreamLabel::is_receivable(channel)) return Status::bad_label;
   sink_ = sink;
   packet_sink_ = {};
   packets_.start(channel);

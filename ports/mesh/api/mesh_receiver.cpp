@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "discmc/mesh.hpp"
@@ -138,10 +140,17 @@ namespace {
 
 constexpr char no_receiver[] = "the receiver was moved from; construct another";
 
+std::uint8_t checked(std::optional<std::uint8_t> channel) {
+  if (channel && *channel > StreamLabel::max_channel)
+    throw std::invalid_argument("the channel is " + std::to_string(*channel) + "; give 0 to " +
+                                std::to_string(StreamLabel::max_channel));
+  return channel.value_or(any_channel);
+}
+
 }  // namespace
 
 MeshReceiver::MeshReceiver(std::optional<std::uint8_t> channel)
-    : state_(std::make_unique<State>(channel.value_or(any_channel))) {}
+    : state_(std::make_unique<State>(checked(channel))) {}
 MeshReceiver::~MeshReceiver() = default;
 MeshReceiver::MeshReceiver(MeshReceiver&&) noexcept = default;
 MeshReceiver& MeshReceiver::operator=(MeshReceiver&&) noexcept = default;

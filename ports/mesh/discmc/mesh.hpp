@@ -263,7 +263,8 @@ class MeshBuilder {
 /// receiver that was moved from throws std::logic_error.
 class MeshReceiver {
  public:
-  /// channel: of the surface; by default the first that arrives.
+  /// channel: of the surface, 0 to 63; by default the first that arrives. Throws
+  /// std::invalid_argument for another.
   explicit MeshReceiver(std::optional<std::uint8_t> channel = std::nullopt);
   ~MeshReceiver();
   MeshReceiver(MeshReceiver&&) noexcept;

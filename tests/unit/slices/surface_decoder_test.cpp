@@ -68,6 +68,18 @@ TEST_CASE("a restarted surface decoder is independent of the previous stream") {
     }
 }
 
+TEST_CASE("a surface decoder refuses a channel above 63, and continues as before") {
+  const Bytes slices = encode_slices(volume());
+  Bytes memory(Receiver::minimum_bytes(limits));
+  SurfaceDecoder decoder;
+  EventLog log, unused;
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
+  CHECK(decoder.start({}, make_sink(unused), StreamLabel::max_channel + 1) == Status::bad_label);
+  reference::require_ok(push_stream(decoder, slices, 0));
+  CHECK(log.starts.size() == 1);
+  CHECK(unused.starts.empty());
+}
+
 TEST_CASE("a surface decoder that refused its memory can be restarted without memory") {
   const Bytes slices = encode_slices(volume());
   SurfaceDecoder decoder;

@@ -205,7 +205,7 @@ void check_unreadable(Code code) {
 
 }  // namespace
 
-TEST_CASE("a decoder without a sink or without a start refuses calls") {
+TEST_CASE("a decoder without a sink, with a channel above 63 or without a start refuses calls") {
   Decoder decoder;
   const uint8_t byte = 1;
   const Decoded decoded = decoder.push(&byte, 1);
@@ -213,6 +213,8 @@ TEST_CASE("a decoder without a sink or without a start refuses calls") {
   CHECK(decoded.bytes == 0);
   CHECK(decoder.finish() == Status::not_started);
   CHECK(decoder.start(Sink{}) == Status::bad_sink);
+  EventLog log;
+  CHECK(decoder.start(make_sink(log), StreamLabel::max_channel + 1) == Status::bad_label);
   CHECK(decoder.push(&byte, 1).status == Status::not_started);
 }
 
