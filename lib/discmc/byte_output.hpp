@@ -29,8 +29,9 @@ struct ByteOutput {
   size_t (*unsent)(void* context) = nullptr;
   /// The longest frame of regions, fragments or slices; 0: max_frame_limit. Short frames suit links
   /// that lose short frames of their own: a lost one costs a packet. They make the stream longer
-  /// (docs/receiving.md). Headers, trailers, application records and appended packets are longer.
-  /// Units: bytes. Limit: 0, or min_frame_limit to max_frame_limit.
+  /// (docs/receiving.md). Others may be longer: headers have up to 66 bytes, trailers 86,
+  /// application records 22 more than their data, and appended packets max_frame_limit. Units:
+  /// bytes. Limit: 0, or min_frame_limit to max_frame_limit.
   uint16_t max_frame = 0;
 
   static constexpr uint16_t min_frame_limit = 48;

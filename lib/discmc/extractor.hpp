@@ -135,13 +135,15 @@ class BasicExtractor {
 
   /// Seals the extractor's state, and sets parts[0] and parts[1] to its bytes: the object, and the
   /// first bytes_used() bytes of the memory. Copy them before the next call (checkpoint.hpp).
-  /// Errors: not_started. Cost: a checksum of both, about 50 instructions per byte.
+  /// Status::suspended: call resume() first. Errors: not_started. Cost: a checksum of both, about
+  /// 50 instructions per byte.
   [[nodiscard]] Status save(Memory* parts);
 
   /// Continues from the parts of save(), which were read back into this object and into the
   /// beginning of the memory. memory: of the size given to start(); it may lie at another address
-  /// that is the same modulo 4; Owner: as of start(). Errors: bad_checkpoint, too_little_memory,
-  /// bad_sink. After an error read the parts back again, or call start(). Cost: as save().
+  /// that is the same modulo 4; Owner: as of start(). Errors: bad_checkpoint (also if the memory is
+  /// smaller than it was used), too_little_memory, bad_sink. After an error read the parts back
+  /// again, or call start(). Cost: as save().
   [[nodiscard]] Status restore(Memory memory, const Sink& sink);
 
   /// Whether the sink has refused an event that is due. If so, call resume() before save().

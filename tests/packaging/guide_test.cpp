@@ -267,10 +267,12 @@ Status power_on(Device& device, CheckpointStore& store, const ByteOutput& output
   return begin_scan(device, store, output);
 }
 
-// Between two rows. Status::suspended: bytes are unsent; call it again, before the next row.
+// Between two rows. Status::suspended: the output is busy, or has unsent bytes. Call it again,
+// before the next row.
 Status save(Device& device, CheckpointStore& store) {
   Memory parts[3];
-  Status status = device.encoder.save(parts);
+  Status status = device.extractor.resume();
+  if (status == Status::ok) status = device.encoder.save(parts);
   if (status == Status::ok) status = device.extractor.save(parts + 1);
   return status == Status::ok ? complete(store, store.save(parts, 3)) : status;
 }
