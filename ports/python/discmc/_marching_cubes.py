@@ -13,6 +13,11 @@ from ._options import array_of, number, options, triple
 Arrays = tuple["NDArray[np.floating[Any]]", "NDArray[np.int32]", "NDArray[np.float32]", "NDArray[np.float32]"]
 
 
+def _supported(samples: NDArray[Any]) -> NDArray[Any]:
+    dtype = samples.dtype.newbyteorder("=")
+    return samples.astype("float32" if dtype == "float16" else dtype, copy=False)
+
+
 def marching_cubes(
     volume: ArrayLike,
     level: Optional[float] = None,
@@ -32,7 +37,7 @@ def marching_cubes(
     `tolerance` voxels from the mesh, and on it with a tolerance of 0.
 
     Other than in scikit-image, a sample equal to the level is inside, no axis needs two samples, and
-    samples keep their precision. Errors: ValueError for a mask, and for a method but 'lewiner'.
+    samples keep their precision. Half precision and another byte order are copied. Errors: ValueError for a mask, and for a method but 'lewiner'.
     """
     if mask is not None:
         raise ValueError(
@@ -54,7 +59,7 @@ def marching_cubes(
         raise ValueError(
             f"the level is {level}; give one within the values of the volume, {least} to {greatest}")
     distances = np.array(triple("spacing", spacing)) * step_size
-    samples = samples[::step_size, ::step_size, ::step_size]
+    samples = _supported(samples[::step_size, ::step_size, ::step_size])
     data = _discmc.extract(
         samples, level, np.inf,
         options(spacing=distances, border="open", interpolate=True, tolerance=tolerance,

@@ -65,6 +65,14 @@ def test_the_levels_are_those_of_scikit_image():
             discmc.marching_cubes(volume, level)
 
 
+@pytest.mark.parametrize("dtype", ["<f2", ">f4", ">i2"])
+def test_marching_cubes_copies_samples_that_the_library_lacks(dtype):
+    volume = ball_of().astype(dtype)
+    expected = discmc.marching_cubes(volume.astype("f4" if dtype == "<f2" else dtype[1:]), 101)
+    for ours, theirs in zip(discmc.marching_cubes(volume, 101), expected):
+        assert np.array_equal(ours, theirs)
+
+
 def vtk_surface(volume, level):
     core = pytest.importorskip("vtkmodules.vtkFiltersCore")
     from vtkmodules.util import numpy_support
