@@ -12,15 +12,15 @@ bool is_refused(PushResult row) {
 }  // namespace
 
 Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
-  if (sink.accept == nullptr) return Status::bad_sink;
-  if (!StreamLabel::is_receivable(channel)) return Status::bad_label;
+  const Status status = regions_.start(sink, channel);
+  if (status != Status::ok) return status;
   sink_ = sink;
   channel_ = channel;
   memory_ = memory;
   is_known_ = false;
   is_of_slices_ = false;
   skipped_rows_ = 0;
-  refusal_ = regions_.start(sink, channel);
+  refusal_ = Status::ok;
   const RowSink rows{this, [](void* context, const RowEvent& event) {
                        return static_cast<SurfaceDecoder*>(context)->accept(event);
                      }};
