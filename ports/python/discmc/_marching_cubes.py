@@ -37,7 +37,8 @@ def marching_cubes(
     `tolerance` voxels from the mesh, and on it with a tolerance of 0.
 
     Other than in scikit-image, a sample equal to the level is inside, no axis needs two samples, and
-    samples keep their precision. Half precision and another byte order are copied. Errors: ValueError for a mask, and for a method but 'lewiner'.
+    samples keep their precision. Half precision and another byte order are copied. Errors:
+    ValueError for a mask, and for a method but 'lewiner'.
     """
     if mask is not None:
         raise ValueError(
